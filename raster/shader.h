@@ -1,0 +1,84 @@
+#pragma once
+/// Shading: a function object over a batch of samples of one primitive, structure of arrays. A shader of your
+/// own is a lambda from Pixel to colour; `pixel_shader` wraps it in a loop over the batch, so that the call is
+/// inlined and only the batch is an indirect call:
+///
+///   draw.shader = pixel_shader([](const Pixel& p) {
+///     const bool dark = ((p.x_px >> 3) ^ (p.y_px >> 3)) & 1;
+///     return p.color * (dark ? 0.25f : 1.0f);
+///   });
+///
+/// A shader is a pure function of what it is given. It runs on many threads at once and must not throw.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace lode::raster {
+
+inline constexpr int kMaxShadeBatch = 64;
+
+/// Inputs of up to kMaxShadeBatch samples. Colours are in the target's unit: 0…255 for rgba8, linear and
+/// premultiplied for rgba32f. Pointers are valid for the call only.
+struct ShadeBatch {
+  int n = 0;                         ///< samples in this batch, 1…kMaxShadeBatch
+  std::uint32_t draw = 0;            ///< ids as the picture has them
+  std::uint32_t primitive = 0;
+  bool front_facing = true;          ///< counter-clockwise on screen; true for everything without a back
+  const std::int32_t* x_px = nullptr;  ///< [n]
+  const std::int32_t* y_px = nullptr;  ///< [n]
+  const float* depth = nullptr;        ///< [n]
+  const glm::vec4* material = nullptr;  ///< [n] draw colour × vertex colour × filtered texel: the default result
+  const glm::vec4* color = nullptr;     ///< [n] draw colour × vertex colour
+  const glm::vec4* texel = nullptr;     ///< [n] filtered texel, white where the draw has no texture
+  const glm::vec3* normal = nullptr;    ///< [n] interpolated, not normalized; (0,0,0) where the draw has none
+  const glm::vec2* uv = nullptr;        ///< [n] (0,0) where the draw has none
+};
+
+/// Writes rgba[0 … batch.n).
+using ShadeFunction = void (*)(const void* state, const ShadeBatch& batch, glm::vec4* rgba) noexcept;
+
+/// A batch function and what it remembers. Empty means: the material as it is.
+struct Shader {
+  ShadeFunction function = nullptr;
+  std::shared_ptr<const void> state;
+};
+
+/// One sample of a batch.
+struct Pixel {
+  std::int32_t x_px, y_px;
+  float depth;
+  glm::vec4 material, color, texel;
+  glm::vec3 normal;
+  glm::vec2 uv;
+  std::uint32_t draw, primitive;
+  bool front_facing;
+};
+
+/// Wraps a function object `glm::vec4 shade(const Pixel&)` as a Shader.
+template <class Shade>
+[[nodiscard]] Shader pixel_shader(Shade shade) {
+  static_assert(std::is_invocable_r_v<glm::vec4, const Shade&, const Pixel&>, "expected glm::vec4 shade(const Pixel&)");
+  const ShadeFunction run = [](const void* state, const ShadeBatch& in, glm::vec4* rgba) noexcept {
+    const Shade& shade_one = *static_cast<const Shade*>(state);
+    for (int i = 0; i < in.n; ++i) {
+      rgba[i] = shade_one(Pixel{in.x_px[i], in.y_px[i], in.depth[i], in.material[i], in.color[i], in.texel[i],
+                                in.normal[i], in.uv[i], in.draw, in.primitive, in.front_facing});
+    }
+  };
+  return Shader{run, std::make_shared<const Shade>(std::move(shade))};
+}
+
+/// Lambert: material · (ambient + (1 − ambient) · max(n·l, 0)), or |n·l| when two-sided; alpha is kept.
+struct Lambert {
+  glm::vec3 to_light{0.0f, 1.0f, 0.0f};  ///< unit vector towards the light, in the space of the normals
+  float ambient = 0.25f;                 ///< 0…1
+  bool two_sided = false;
+};
+[[nodiscard]] Shader lambert_shader(const Lambert& params);
+
+}  // namespace lode::raster

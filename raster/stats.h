@@ -1,0 +1,58 @@
+#pragma once
+/// Deterministic work counters of one render: the same for any number of threads. What they count is part of
+/// the tests, so that skipped work cannot hide in a noisy clock.
+
+#include <cstdint>
+
+namespace lode::raster {
+
+struct FrameStats {
+  std::uint64_t draws_in = 0;
+  std::uint64_t draws_ordered = 0;          ///< those that run in submission order after the order-free ones
+  std::uint64_t primitives_in = 0;
+  std::uint64_t primitives_not_finite = 0;  ///< discarded: a NaN in a vertex
+  std::uint64_t primitives_outside = 0;     ///< nothing left after clipping
+  std::uint64_t primitives_facing = 0;      ///< culled by facing
+  std::uint64_t primitives_empty = 0;       ///< zero area after the snap, radius ≤ 0, no length
+  std::uint64_t primitives_clipped = 0;     ///< cut by at least one plane
+  std::uint64_t pieces = 0;                 ///< triangles, lines, … that went on to the tiles
+  std::uint64_t tiles = 0;                  ///< tiles that any piece's bounds touch
+  std::uint64_t fragments_covered = 0;      ///< samples inside a primitive and the scissor
+  std::uint64_t fragments_alpha_failed = 0;
+  std::uint64_t fragments_depth_failed = 0;
+  std::uint64_t fragments_shaded = 0;       ///< shader results computed, alpha tests included
+  std::uint64_t fragments_blended = 0;
+  std::uint64_t texels_read = 0;
+
+  FrameStats& operator+=(const FrameStats& other);
+};
+
+/// Calls visit(name, value) for every counter, in the order above.
+template <class Visit>
+void for_each_counter(const FrameStats& s, Visit visit) {
+  visit("draws_in", s.draws_in);
+  visit("draws_ordered", s.draws_ordered);
+  visit("primitives_in", s.primitives_in);
+  visit("primitives_not_finite", s.primitives_not_finite);
+  visit("primitives_outside", s.primitives_outside);
+  visit("primitives_facing", s.primitives_facing);
+  visit("primitives_empty", s.primitives_empty);
+  visit("primitives_clipped", s.primitives_clipped);
+  visit("pieces", s.pieces);
+  visit("tiles", s.tiles);
+  visit("fragments_covered", s.fragments_covered);
+  visit("fragments_alpha_failed", s.fragments_alpha_failed);
+  visit("fragments_depth_failed", s.fragments_depth_failed);
+  visit("fragments_shaded", s.fragments_shaded);
+  visit("fragments_blended", s.fragments_blended);
+  visit("texels_read", s.texels_read);
+}
+
+/// Of one draw: samples covered (after culling and alpha test, before depth), and samples visible: owned at
+/// the end, or for draws that blend or write no depth, samples that passed the depth test.
+struct DrawStats {
+  std::uint64_t covered = 0;
+  std::uint64_t visible = 0;
+};
+
+}  // namespace lode::raster
