@@ -16,6 +16,7 @@ inline constexpr int kMaxThreads = 256;
 namespace detail {
 using Task = void (*)(const void* function, std::size_t index, int worker);
 void parallel_for(std::size_t n, int n_workers, Task task, const void* function);
+void run_on_threads(std::size_t n, int n_workers, Task task, const void* function);  ///< the back end; n, n_workers ≥ 2
 }  // namespace detail
 
 /// Calls function(index, worker) once for each index in [0, n), worker in [0, n_workers), no two calls with
