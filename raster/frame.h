@@ -30,7 +30,8 @@ struct ObjectVertices {
   std::span<const glm::vec3> positions;
   glm::dmat4 clip_from_object{1.0};
 };
-/// Clip space: x right and y up in [−w, w], depth z/w in [0, 1], 1 near, w > 0 in front of the eye.
+/// Clip space: x right and y up in [−w, w], depth z/w in [0, 1], 1 near, w > 0 in front of the eye. Components
+/// beyond ±2^300, infinities among them, are read as ±2^300.
 struct ClipVertices {
   std::span<const glm::dvec4> positions;
 };
@@ -64,7 +65,7 @@ struct Draw {
   float point_size_px = 1.0f;          ///< points: side of the square
 
   // Material.
-  glm::vec4 color{255.0f, 255.0f, 255.0f, 255.0f};  ///< in the target's unit: white is 255 for rgba8, 1 for rgba32f
+  std::optional<glm::vec4> color;  ///< in the target's unit (255 is full for rgba8, 1 for rgba32f); default: white
   const Texture* texture = nullptr;
   Sampler sampler;
   Shader shader;
