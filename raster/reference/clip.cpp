@@ -25,13 +25,17 @@ double plane_distance(int k, const Viewport& v, const glm::dvec4& p) {
   }
 }
 
-/// The point of edge a–b on plane k; a lies on one side, b on the other.
+/// The point of an edge on plane k; its ends lie on either side. It is computed from the end nearer to the plane:
+/// t ≤ ½, so the point stays between the ends and is exact to rounding even where the other end is at 2^300 (from
+/// that end, everything near the screen would be lost).
 ClipVertex intersect_edge(int k, const Viewport& v, const ClipVertex& end_0, const ClipVertex& end_1) {
-  const bool swap = canonically_before(end_1.position, end_0.position);
+  const double d_0 = plane_distance(k, v, end_0.position), d_1 = plane_distance(k, v, end_1.position);
+  const double far_0 = std::abs(d_0), far_1 = std::abs(d_1);
+  const bool swap = far_0 != far_1 ? far_1 < far_0 : canonically_before(end_1.position, end_0.position);
   const ClipVertex& a = swap ? end_1 : end_0;
   const ClipVertex& b = swap ? end_0 : end_1;
-  const double d_a = plane_distance(k, v, a.position);
-  const double d_b = plane_distance(k, v, b.position);
+  const double d_a = swap ? d_1 : d_0;
+  const double d_b = swap ? d_0 : d_1;
   const double t = d_a / (d_a - d_b);
   ClipVertex p;
   for (int i = 0; i < 4; ++i) p.position[i] = a.position[i] + t * (b.position[i] - a.position[i]);
