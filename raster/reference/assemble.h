@@ -1,0 +1,51 @@
+#pragma once
+/// From draws to pieces: vertices are transformed, clipped, snapped and culled, and what is left becomes a list
+/// of shapes in window coordinates, in submission order.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <variant>
+#include <vector>
+
+#include "raster/frame.h"
+#include "raster/image.h"
+#include "raster/reference/disc.h"
+#include "raster/reference/line.h"
+#include "raster/reference/primitive.h"
+#include "raster/reference/surfel.h"
+#include "raster/reference/triangle.h"
+#include "raster/stats.h"
+
+namespace lode::raster::reference {
+
+using Shape = std::variant<Triangle, Line, Square, Disc, Surfel>;
+
+/// One shape on its way to the tiles.
+struct Piece {
+  Shape shape;
+  PixelBox bounds_px;      ///< inside target and scissor, over all samples
+  std::uint32_t draw = 0;  ///< index in the frame
+  Ids ids{0, 0};           ///< as the picture has them
+  std::uint32_t number = 0;  ///< within its primitive: a quad's triangles, a clipped triangle's fan
+  std::array<std::uint32_t, 3> vertices{0, 0, 0};  ///< whose attributes; in the order of the shape's weights
+  int n_vertices = 1;
+  bool front_facing = true;
+  std::array<double, 2> line_t{0.0, 1.0};  ///< where a clipped line's ends lie on the original
+};
+
+/// Order-free ties: at equal depth the lower key wins, whatever the submission (C6).
+[[nodiscard]] inline bool key_before(const Piece& a, const Piece& b) {
+  if (a.ids.draw != b.ids.draw) return a.ids.draw < b.ids.draw;
+  if (a.ids.primitive != b.ids.primitive) return a.ids.primitive < b.ids.primitive;
+  if (a.number != b.number) return a.number < b.number;
+  return a.draw < b.draw;
+}
+
+struct Assembly {
+  std::vector<Piece> pieces;  ///< by draw, primitive, number
+  FrameStats stats;           ///< draws, primitives and pieces
+};
+
+[[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers);
+
+}  // namespace lode::raster::reference
