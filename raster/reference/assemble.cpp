@@ -94,12 +94,12 @@ class DrawAssembler {
 
   template <class T>
   void push(const T& shape, std::uint32_t number, const std::array<std::uint32_t, 3>& vertices, int n_vertices,
-            bool front_facing = true, std::array<double, 2> line_t = {0.0, 1.0}) {
+            bool front_facing = true) {
     const Ids ids = {draw_.draw_id.value_or(draw_index_), draw_.primitive_id.value_or(primitive_)};
     const PixelBox bounds = intersect(bounds_over_samples(shape, frame_), limits_);
     ++out_.stats.pieces;
     if (bounds.empty()) return;
-    out_.pieces.push_back({shape, bounds, draw_index_, ids, number, vertices, n_vertices, front_facing, line_t});
+    out_.pieces.push_back({shape, bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
   }
 
   [[nodiscard]] bool not_finite(const glm::dvec3& p) {
@@ -208,12 +208,11 @@ class DrawAssembler {
 
   void add_line(std::uint32_t a, std::uint32_t b) {
     ++out_.stats.primitives_in;
-    WindowVertex ends[2];
-    std::array<double, 2> line_t = {0.0, 1.0};
+    std::optional<Line> line;
     if (window_) {
-      if (not_finite(window_->positions_px[a]) || not_finite(window_->positions_px[b])) return;
-      ends[0] = window_vertex(window_->positions_px[a]);
-      ends[1] = window_vertex(window_->positions_px[b]);
+      const glm::dvec3 &p_a = window_->positions_px[a], &p_b = window_->positions_px[b];
+      if (not_finite(p_a) || not_finite(p_b)) return;
+      line = make_line(window_vertex(p_a), window_vertex(p_b));
     } else {
       const glm::dvec4 p_a = clip_position(draw_.vertices, a), p_b = clip_position(draw_.vertices, b);
       if (has_nan(p_a) || has_nan(p_b)) {
@@ -225,20 +224,23 @@ class DrawAssembler {
         ++out_.stats.primitives_outside;
         return;
       }
-      line_t = {cut.vertices[0].weights[1], cut.vertices[1].weights[1]};
-      if (line_t != std::array<double, 2>{0.0, 1.0}) ++out_.stats.primitives_clipped;
-      for (std::size_t i = 0; i < 2; ++i) ends[i] = window_vertex(viewport_, cut.vertices[i].position);
+      const ClipVertex &end_a = cut.vertices[0], &end_b = cut.vertices[1];
+      line = make_line(window_vertex(viewport_, end_a.position), window_vertex(viewport_, end_b.position));
+      if (end_a.weights[0] != 1.0 || end_b.weights[1] != 1.0) ++out_.stats.primitives_clipped;
+      if (line) {
+        line->weights_a = end_a.weights;
+        line->weights_b = end_b.weights;
+      }
     }
-    if (ends[0].p_fx8 == ends[1].p_fx8) {
+    if (!line) {
       ++out_.stats.primitives_empty;
       return;
     }
-    Line line{ends[0].p_fx8, ends[1].p_fx8, ends[0].z, ends[1].z, ends[0].w, ends[1].w, draw_.stipple, 0};
-    if (draw_.stipple && draw_.topology == Topology::line_strip) {
-      line.first_fragment = strip_fragments_;
-      strip_fragments_ += fragment_count(line, frame_.samples_fx8[0]);
+    if (draw_.stipple) {
+      line->stipple = LineStipple{*draw_.stipple, strip_fragments_};
+      if (draw_.topology == Topology::line_strip) strip_fragments_ += fragment_count(*line, frame_.samples_fx8[0]);
     }
-    push(line, 0, {a, b, b}, 2, true, line_t);
+    push(*line, 0, {a, b, b}, 2);
   }
 
   void add_round(std::uint32_t i) {
