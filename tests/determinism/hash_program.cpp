@@ -1,10 +1,12 @@
 // Draws the set of pictures and prints one line a plane: name, plane, FNV-1a 64 of its bytes. The determinism test
 // runs it in every build, with several numbers of threads and tile sizes, and compares the lines.
 //
-//   hash_program [--threads N,N,...] [--tiles N,N,...] [--only NAME] [--keep DIR | --against DIR]
+//   hash_program [--threads N,N,...] [--tiles N,N,...] [--only NAME] [--expect FILE] [--keep DIR | --against DIR]
 //     --threads, --tiles   every combination is drawn; the first is printed, and one that differs from it is an error
+//     --expect             the lines must be those of the file; the ones that are not are listed
 //     --keep               also writes every plane to DIR/NAME.PLANE
 //     --against            compares with planes so kept and lists the first ten pixels that differ in each
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <cstring>
@@ -98,17 +100,28 @@ std::vector<int> numbers(const std::string& list) {
 struct Options {
   std::vector<int> threads{1};
   std::vector<int> tiles{64};
-  std::string only, keep, against;
+  std::string only, expect, keep, against;
 };
 
-/// Draws one picture in every combination; returns how many planes differ from what they should be.
-int hash_picture(const Picture& picture, const Options& options) {
+/// The lines of a file of hashes.
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Draws one picture in every combination and adds its lines; returns how many planes differ from what they should be.
+int hash_picture(const Picture& picture, const Options& options, std::vector<std::string>& lines) {
   std::vector<Plane> first;
   int n_wrong = 0;
   for (const int threads : options.threads) {
     for (const int tile : options.tiles) {
       Image image = picture.image();
-      render(picture.frame(), image, {.threads = threads, .tile_size_px = tile});
+      RenderOptions render_options;
+      render_options.threads = threads;
+      render_options.tile_size_px = tile;
+      render(picture.frame(), image, render_options);
       const std::vector<Plane> planes = planes_of(image);
       if (first.empty()) first = planes;
       for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -120,7 +133,10 @@ int hash_picture(const Picture& picture, const Options& options) {
     }
   }
   for (const Plane& plane : first) {
-    std::printf("%s %s %016llx\n", picture.name.c_str(), plane.name.c_str(), static_cast<unsigned long long>(fnv1a64(plane.bytes)));
+    char hash[24];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(fnv1a64(plane.bytes)));
+    lines.push_back(picture.name + " " + plane.name + " " + hash);
+    std::printf("%s\n", lines.back().c_str());
     const std::string file_name = picture.name + "." + plane.name;
     if (!options.keep.empty()) {
       std::ofstream(std::filesystem::path(options.keep) / file_name, std::ios::binary)
@@ -145,13 +161,24 @@ int main(int n_arguments, char** arguments) {
     if (name == "--threads") options.threads = numbers(value);
     else if (name == "--tiles") options.tiles = numbers(value);
     else if (name == "--only") options.only = value;
+    else if (name == "--expect") options.expect = value;
     else if (name == "--keep") options.keep = value;
     else if (name == "--against") options.against = value;
     else return std::fprintf(stderr, "hash_program: unknown option %s\n", name.c_str()), 2;
   }
   int n_wrong = 0;
+  std::vector<std::string> lines;
   for (const Picture& picture : lode::pictures::all_pictures()) {
-    if (options.only.empty() || options.only == picture.name) n_wrong += hash_picture(picture, options);
+    if (options.only.empty() || options.only == picture.name) n_wrong += hash_picture(picture, options, lines);
+  }
+  if (!options.expect.empty()) {
+    const std::vector<std::string> expected = lines_of(options.expect);
+    for (std::size_t i = 0; i < std::max(lines.size(), expected.size()); ++i) {
+      const std::string drawn = i < lines.size() ? lines[i] : "nothing", right = i < expected.size() ? expected[i] : "nothing";
+      if (drawn == right) continue;
+      std::printf("expected %s, drawn %s\n", right.c_str(), drawn.c_str());
+      ++n_wrong;
+    }
   }
   return n_wrong == 0 ? 0 : 1;
 }
