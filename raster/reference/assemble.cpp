@@ -180,30 +180,32 @@ class DrawAssembler {
       polygon->weights.push_back(cut.vertices[std::size_t(i)].weights);
     }
     const auto& v = polygon->vertices;
-    std::int64_t area = 0, largest = 0, smallest = 0;
+    std::int64_t largest = 0, smallest = 0;
     for (std::size_t i = 0; i + 2 < v.size(); ++i) {
-      const std::int64_t piece = doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8);
-      area += piece;
-      largest = std::max(largest, piece);
-      smallest = std::min(smallest, piece);
+      const std::int64_t area = doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8);
+      largest = std::max(largest, area);
+      smallest = std::min(smallest, area);
     }
-    polygon->positive = area > 0;
     polygon->has_turned_piece = largest > 0 && smallest < 0;
-    const bool front = (area < 0) == even;
-    if (area == 0 || culled(draw_.cull, front ? 1 : -1)) {
-      ++(area == 0 ? out_.stats.primitives_empty : out_.stats.primitives_facing);
+    if (largest == 0 && smallest == 0) {
+      ++out_.stats.primitives_empty;
       return;
     }
+    bool kept = false;
     for (std::size_t i = 0; i + 2 < v.size(); ++i) {
       std::array<int, 3> turn;
       std::optional<Triangle> t = make_triangle({v[0], v[i + 1], v[i + 2]}, turn);
-      if (!t || (doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8) > 0) != polygon->positive) continue;
+      if (!t) continue;
+      const bool front = (doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8) < 0) == even;  // y down
+      if (culled(draw_.cull, front ? 1 : -1)) continue;
+      kept = true;
       const std::array<int, 3> fan = {0, int(i) + 1, int(i) + 2};
       for (std::size_t k = 0; k < 3; ++k) t->polygon_vertex[k] = fan[std::size_t(turn[k])];
       t->polygon = polygon;
       t->piece = int(i);
       push(*t, first_number + std::uint32_t(i), sorted, 3, front);
     }
+    if (!kept) ++out_.stats.primitives_facing;
   }
 
   void add_line(std::uint32_t a, std::uint32_t b) {

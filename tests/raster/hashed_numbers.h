@@ -1,0 +1,32 @@
+#pragma once
+/// Random test input as a hash of (seed, counter): the same on every machine, and case i can be made again alone.
+
+#include <cstdint>
+
+namespace lode::raster::test {
+
+/// SplitMix64 (Steele et al., 2014).
+class HashedNumbers {
+ public:
+  explicit HashedNumbers(std::uint64_t seed) : state_(seed * 0x9E37'79B9'7F4A'7C15ull) {}
+
+  std::uint64_t bits() {
+    std::uint64_t z = state_ += 0x9E37'79B9'7F4A'7C15ull;
+    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9ull;
+    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EBull;
+    return z ^ (z >> 31);
+  }
+  /// 0…n − 1, n < 2^32.
+  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(((bits() >> 32) * n) >> 32); }
+  /// low…high, both included.
+  std::int32_t between(std::int32_t low, std::int32_t high) {
+    return low + static_cast<std::int32_t>(below(static_cast<std::uint32_t>(high - low) + 1));
+  }
+  /// A multiple of 2^-53 in [0, 1).
+  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace lode::raster::test
