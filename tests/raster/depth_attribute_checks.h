@@ -58,9 +58,9 @@ inline Corners random_corners(HashedNumbers& numbers, const Family& family) {
   const int n = family.topology == Topology::lines ? 2 : 3;
   const glm::ivec2 size_fx8 = 256 * family.size_px;
   const auto near_target = [&] {
-    return glm::ivec2(numbers.between(-size_fx8.x, 2 * size_fx8.x), numbers.between(-size_fx8.y, 2 * size_fx8.y));
+    return glm::ivec2{numbers.between(-size_fx8.x, 2 * size_fx8.x), numbers.between(-size_fx8.y, 2 * size_fx8.y)};
   };
-  const auto in_guard_band = [&] { return glm::ivec2(numbers.between(-(1 << 23), 1 << 23), numbers.between(-(1 << 23), 1 << 23)); };
+  const auto in_guard_band = [&] { return glm::ivec2{numbers.between(-(1 << 23), 1 << 23), numbers.between(-(1 << 23), 1 << 23)}; };
   const bool far_reaching = !family.perspective && numbers.below(2) == 0;
   c.p_fx8[0] = far_reaching ? in_guard_band() : near_target();
   c.p_fx8[1] = far_reaching ? in_guard_band() : near_target();
@@ -78,7 +78,7 @@ inline Corners random_corners(HashedNumbers& numbers, const Family& family) {
     // A sliver: the last corner a few sub-pixels beside a point of the first side.
     const double s = numbers.unit();
     c.p_fx8[2] = glm::ivec2(glm::mix(glm::dvec2(c.p_fx8[0]), glm::dvec2(c.p_fx8[1]), s)) +
-                 glm::ivec2(numbers.between(-3, 3), numbers.between(-3, 3));
+                 glm::ivec2{numbers.between(-3, 3), numbers.between(-3, 3)};
   }
   const float constant = float(numbers.unit() * 1000.0);
   const bool same_w = numbers.below(4) == 0;

@@ -74,7 +74,7 @@ TEST(Depth, OfAFlatTriangleIsThatOfItsVerticesHoweverItRounds) {
   for (int k = 0; k < 200; ++k) {
     const float low = float(0.1 + 0.8 * numbers.unit());
     const double z = 0.5 * (double(low) + double(std::nextafter(low, 1.0f)));
-    const auto corner = [&] { return glm::dvec3(48.0 * numbers.unit() - 16.0, 48.0 * numbers.unit() - 16.0, z); };
+    const auto corner = [&] { return glm::dvec3{48.0 * numbers.unit() - 16.0, 48.0 * numbers.unit() - 16.0, z}; };
     Scene scene({16, 16});
     scene.window(Topology::triangles, {corner(), corner(), corner()});
     scene.window(Topology::lines, {corner(), corner()});

@@ -135,7 +135,7 @@ inline FootprintMeasured check_footprints(std::uint64_t n_samples, std::uint64_t
     const float largest = std::ldexp(1.0f, int(numbers.below(30)) - 10);
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i] = {c.p_fx8[i], 0.5, double(c.w[i])};
-      uv_of_corner[i] = largest * glm::vec2(2.0 * numbers.unit() - 1.0, 2.0 * numbers.unit() - 1.0);
+      uv_of_corner[i] = largest * glm::vec2{2.0 * numbers.unit() - 1.0, 2.0 * numbers.unit() - 1.0};
     }
     std::array<int, 3> order;
     const std::optional<reference::Triangle> triangle = reference::make_triangle(corners, order);
