@@ -94,12 +94,12 @@ class DrawAssembler {
 
   template <class T>
   void push(const T& shape, std::uint32_t number, const std::array<std::uint32_t, 3>& vertices, int n_vertices,
-            bool front_facing = true, std::array<double, 2> line_t = {0.0, 1.0}) {
+            bool front_facing = true) {
     const Ids ids = {draw_.draw_id.value_or(draw_index_), draw_.primitive_id.value_or(primitive_)};
     const PixelBox bounds = intersect(bounds_over_samples(shape, frame_), limits_);
     ++out_.stats.pieces;
     if (bounds.empty()) return;
-    out_.pieces.push_back({shape, bounds, draw_index_, ids, number, vertices, n_vertices, front_facing, line_t});
+    out_.pieces.push_back({shape, bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
   }
 
   [[nodiscard]] bool not_finite(const glm::dvec3& p) {
@@ -180,40 +180,41 @@ class DrawAssembler {
       polygon->weights.push_back(cut.vertices[std::size_t(i)].weights);
     }
     const auto& v = polygon->vertices;
-    std::int64_t area = 0, largest = 0, smallest = 0;
+    std::int64_t largest = 0, smallest = 0;
     for (std::size_t i = 0; i + 2 < v.size(); ++i) {
-      const std::int64_t piece = doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8);
-      area += piece;
-      largest = std::max(largest, piece);
-      smallest = std::min(smallest, piece);
+      const std::int64_t area = doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8);
+      largest = std::max(largest, area);
+      smallest = std::min(smallest, area);
     }
-    polygon->positive = area > 0;
     polygon->has_turned_piece = largest > 0 && smallest < 0;
-    const bool front = (area < 0) == even;
-    if (area == 0 || culled(draw_.cull, front ? 1 : -1)) {
-      ++(area == 0 ? out_.stats.primitives_empty : out_.stats.primitives_facing);
+    if (largest == 0 && smallest == 0) {
+      ++out_.stats.primitives_empty;
       return;
     }
+    bool kept = false;
     for (std::size_t i = 0; i + 2 < v.size(); ++i) {
       std::array<int, 3> turn;
       std::optional<Triangle> t = make_triangle({v[0], v[i + 1], v[i + 2]}, turn);
-      if (!t || (doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8) > 0) != polygon->positive) continue;
+      if (!t) continue;
+      const bool front = (doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8) < 0) == even;  // y down
+      if (culled(draw_.cull, front ? 1 : -1)) continue;
+      kept = true;
       const std::array<int, 3> fan = {0, int(i) + 1, int(i) + 2};
       for (std::size_t k = 0; k < 3; ++k) t->polygon_vertex[k] = fan[std::size_t(turn[k])];
       t->polygon = polygon;
       t->piece = int(i);
       push(*t, first_number + std::uint32_t(i), sorted, 3, front);
     }
+    if (!kept) ++out_.stats.primitives_facing;
   }
 
   void add_line(std::uint32_t a, std::uint32_t b) {
     ++out_.stats.primitives_in;
-    WindowVertex ends[2];
-    std::array<double, 2> line_t = {0.0, 1.0};
+    std::optional<Line> line;
     if (window_) {
-      if (not_finite(window_->positions_px[a]) || not_finite(window_->positions_px[b])) return;
-      ends[0] = window_vertex(window_->positions_px[a]);
-      ends[1] = window_vertex(window_->positions_px[b]);
+      const glm::dvec3 &p_a = window_->positions_px[a], &p_b = window_->positions_px[b];
+      if (not_finite(p_a) || not_finite(p_b)) return;
+      line = make_line(window_vertex(p_a), window_vertex(p_b));
     } else {
       const glm::dvec4 p_a = clip_position(draw_.vertices, a), p_b = clip_position(draw_.vertices, b);
       if (has_nan(p_a) || has_nan(p_b)) {
@@ -225,20 +226,24 @@ class DrawAssembler {
         ++out_.stats.primitives_outside;
         return;
       }
-      line_t = {cut.vertices[0].weights[1], cut.vertices[1].weights[1]};
-      if (line_t != std::array<double, 2>{0.0, 1.0}) ++out_.stats.primitives_clipped;
-      for (std::size_t i = 0; i < 2; ++i) ends[i] = window_vertex(viewport_, cut.vertices[i].position);
+      const ClipVertex &end_a = cut.vertices[0], &end_b = cut.vertices[1];
+      line = make_line(window_vertex(viewport_, end_a.position), window_vertex(viewport_, end_b.position));
+      if (end_a.weights[0] != 1.0 || end_b.weights[1] != 1.0) ++out_.stats.primitives_clipped;
+      if (line) {
+        line->weights_a = end_a.weights;
+        line->weights_b = end_b.weights;
+      }
     }
-    if (ends[0].p_fx8 == ends[1].p_fx8) {
+    if (!line) {
       ++out_.stats.primitives_empty;
       return;
     }
-    Line line{ends[0].p_fx8, ends[1].p_fx8, ends[0].z, ends[1].z, ends[0].w, ends[1].w, draw_.stipple, 0};
-    if (draw_.stipple && draw_.topology == Topology::line_strip) {
-      line.first_fragment = strip_fragments_;
-      strip_fragments_ += fragment_count(line, frame_.samples_fx8[0]);
+    if (draw_.stipple) {
+      line->stipple = LineStipple{*draw_.stipple, strip_fragments_};
+      // At pixel centres, so that a sample's picture does not depend on which other samples the frame has.
+      if (draw_.topology == Topology::line_strip) strip_fragments_ += fragment_count(*line, kCentreSample_fx8[0]);
     }
-    push(line, 0, {a, b, b}, 2, true, line_t);
+    push(*line, 0, {a, b, b}, 2);
   }
 
   void add_round(std::uint32_t i) {

@@ -30,7 +30,6 @@ struct Piece {
   std::array<std::uint32_t, 3> vertices{0, 0, 0};  ///< whose attributes; in the order of the shape's weights
   int n_vertices = 1;
   bool front_facing = true;
-  std::array<double, 2> line_t{0.0, 1.0};  ///< where a clipped line's ends lie on the original
 };
 
 /// Order-free ties: at equal depth the lower key wins, whatever the submission (C6).

@@ -25,13 +25,17 @@ double plane_distance(int k, const Viewport& v, const glm::dvec4& p) {
   }
 }
 
-/// The point of edge a–b on plane k; a lies on one side, b on the other.
+/// The point of an edge on plane k; its ends lie on either side. It is computed from the end nearer to the plane:
+/// t ≤ ½, so the point stays between the ends and is exact to rounding even where the other end is at 2^300 (from
+/// that end, everything near the screen would be lost).
 ClipVertex intersect_edge(int k, const Viewport& v, const ClipVertex& end_0, const ClipVertex& end_1) {
-  const bool swap = canonically_before(end_1.position, end_0.position);
+  const double d_0 = plane_distance(k, v, end_0.position), d_1 = plane_distance(k, v, end_1.position);
+  const double far_0 = std::abs(d_0), far_1 = std::abs(d_1);
+  const bool swap = far_0 != far_1 ? far_1 < far_0 : canonically_before(end_1.position, end_0.position);
   const ClipVertex& a = swap ? end_1 : end_0;
   const ClipVertex& b = swap ? end_0 : end_1;
-  const double d_a = plane_distance(k, v, a.position);
-  const double d_b = plane_distance(k, v, b.position);
+  const double d_a = swap ? d_1 : d_0;
+  const double d_b = swap ? d_0 : d_1;
   const double t = d_a / (d_a - d_b);
   ClipVertex p;
   for (int i = 0; i < 4; ++i) p.position[i] = a.position[i] + t * (b.position[i] - a.position[i]);
@@ -55,8 +59,9 @@ ClipPolygon clip_by_plane(int k, const Viewport& v, const ClipPolygon& in) {
   return out;
 }
 
-std::int32_t snap_fx8(double window_fx8) {
-  return static_cast<std::int32_t>(std::rint(clamp_to(window_fx8, kGuard)));  // round half to even; C1
+/// Rounds half to even (C1), from an origin that is a whole number.
+std::int32_t snap_fx8(double offset_fx8, double origin_fx8) {
+  return static_cast<std::int32_t>(clamp_to(std::rint(offset_fx8) + origin_fx8, kGuard));
 }
 
 }  // namespace
@@ -122,14 +127,15 @@ ClipPolygon clip_segment(const Viewport& viewport, const glm::dvec4& a, const gl
 }
 
 WindowVertex window_vertex(const Viewport& viewport, const glm::dvec4& p) {
-  const double x_fx8 = (p.x / p.w) * viewport.half_fx8.x + viewport.centre_fx8.x;
-  const double y_fx8 = viewport.centre_fx8.y - (p.y / p.w) * viewport.half_fx8.y;
+  // Rounded before the viewport's centre is added, so that a moved viewport moves the picture and nothing else.
+  const std::int32_t x_fx8 = snap_fx8((p.x / p.w) * viewport.half_fx8.x, viewport.centre_fx8.x);
+  const std::int32_t y_fx8 = snap_fx8(-(p.y / p.w) * viewport.half_fx8.y, viewport.centre_fx8.y);
   const double z = std::clamp(p.z / p.w, 0.0, 1.0) + 0.0;  // + 0.0: one zero
-  return {{snap_fx8(x_fx8), snap_fx8(y_fx8)}, z, p.w};
+  return {{x_fx8, y_fx8}, z, p.w};
 }
 
 WindowVertex window_vertex(const glm::dvec3& p_px) {
-  return {{snap_fx8(p_px.x * 256.0), snap_fx8(p_px.y * 256.0)}, std::clamp(p_px.z, 0.0, 1.0) + 0.0, 1.0};
+  return {{snap_fx8(p_px.x * 256.0, 0.0), snap_fx8(p_px.y * 256.0, 0.0)}, std::clamp(p_px.z, 0.0, 1.0) + 0.0, 1.0};
 }
 
 bool canonically_before(const glm::dvec4& a, const glm::dvec4& b) {

@@ -46,9 +46,9 @@ struct ClipPolygon {
   int n = 0;
 };
 
-/// Sutherland & Hodgman, plane by plane in the fixed order. A new vertex is computed once per edge, from the
-/// end point that is first in bitwise lexicographic order (−0 taken as +0), so both neighbours of an edge get
-/// the same bits, and it is then put onto its plane exactly. Returns n = 0 if nothing is left.
+/// Sutherland & Hodgman, plane by plane in the fixed order. A new vertex is computed once per edge, from the end
+/// nearer to the plane, at equal distances the one first in lexicographic order (−0 taken as +0), so both neighbours
+/// of an edge get the same bits, and it is then put onto its plane exactly. Returns n = 0 if nothing is left.
 [[nodiscard]] ClipPolygon clip_triangle(const Viewport& viewport, const std::array<glm::dvec4, 3>& corners);
 
 /// The same for the segment a–b; returns n = 2, or 0. The ends keep their order.

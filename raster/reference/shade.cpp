@@ -8,11 +8,7 @@ namespace {
 
 /// Weights of the piece's vertices at a sample, rounded once.
 std::array<float, 3> vertex_weights(const Piece& piece, glm::ivec2 p_fx8) {
-  VertexWeights b = std::visit([&](const auto& shape) { return weights_at(shape, p_fx8); }, piece.shape);
-  if (piece.n_vertices == 2) {  // a clipped line's ends lie on the original at line_t
-    const double t = b[0] * piece.line_t[0] + b[1] * piece.line_t[1];
-    b = {1.0 - t, t, 0.0};
-  }
+  const VertexWeights b = std::visit([&](const auto& shape) { return weights_at(shape, p_fx8); }, piece.shape);
   return {float(b[0]), float(b[1]), float(b[2])};
 }
 
@@ -39,15 +35,7 @@ Vector interpolate(const std::array<float, 3>& b, std::span<const Vector> values
 
 VertexUvs piece_uvs(const Draw& draw, const Piece& piece) {
   if (draw.uvs.empty()) return std::nullopt;
-  std::array<glm::vec2, 3> uvs = {draw.uvs[piece.vertices[0]], draw.uvs[piece.vertices[1]], draw.uvs[piece.vertices[2]]};
-  if (piece.n_vertices == 2) {
-    const glm::vec2 a = uvs[0], b = uvs[1];
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double t = piece.line_t[i];
-      uvs[i] = glm::vec2((1.0 - t) * glm::dvec2(a) + t * glm::dvec2(b));
-    }
-  }
-  return uvs;
+  return {{draw.uvs[piece.vertices[0]], draw.uvs[piece.vertices[1]], draw.uvs[piece.vertices[2]]}};
 }
 
 /// The texture at a footprint, in the target's unit.

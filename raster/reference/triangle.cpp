@@ -116,7 +116,7 @@ Footprint footprint_at(const Triangle& t, const VertexUvs& uvs, glm::ivec2 p_fx8
 
 bool owns_sample(const ClippedPolygon& polygon, int piece, glm::ivec2 p_fx8) {
   int winding = 0;
-  int owner = -1;
+  std::array<int, 2> first = {-1, -1};  // of the negative pieces, of the positive ones
   const auto& v = polygon.vertices;
   for (std::size_t i = 0; i + 2 < v.size(); ++i) {
     std::array<int, 3> order;
@@ -126,10 +126,10 @@ bool owns_sample(const ClippedPolygon& polygon, int piece, glm::ivec2 p_fx8) {
     for (const EdgeFunction& e : edges_of(*t)) inside = inside && e.at(p_fx8) >= e.bias;
     if (!inside) continue;
     const bool positive = doubled_area_fx16(v[0].p_fx8, v[i + 1].p_fx8, v[i + 2].p_fx8) > 0;
-    winding += positive == polygon.positive ? 1 : -1;
-    if (positive == polygon.positive && owner < 0) owner = int(i);
+    winding += positive ? 1 : -1;
+    if (first[positive] < 0) first[positive] = int(i);
   }
-  return winding > 0 && owner == piece;
+  return winding != 0 && first[winding > 0] == piece;
 }
 
 }  // namespace lode::raster::reference

@@ -17,13 +17,13 @@
 namespace lode::raster::reference {
 
 /// The outline of a primitive that was clipped, after the snap. Its pieces are the fan (0, i+1, i+2). The snap
-/// can turn a piece over; a turned piece takes its samples away from the others instead of covering them, so
-/// that the whole polygon is covered once: what it shares with its neighbours are its outer edges only.
+/// can turn a piece over; then a sample may lie in several pieces. The outline's winding number there, the
+/// pieces counted with their signs, is what the neighbours' add up with: +1 or −1 is covered once, by the first
+/// piece of that sign, and 0 is not covered.
 struct ClippedPolygon {
   std::vector<WindowVertex> vertices;
   std::vector<VertexWeights> weights;  ///< of the primitive's own vertices, for each polygon vertex
   bool has_turned_piece = false;
-  bool positive = true;  ///< sign of the polygon's area
 };
 
 struct Triangle {

@@ -1,0 +1,13 @@
+# cmake --install: lodestone::raster for find_package, its headers under include/lodestone/raster/.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lodestone)
+install(TARGETS lodestone_raster EXPORT lodestone-targets)
+install(EXPORT lodestone-targets NAMESPACE lodestone:: DESTINATION ${package_dir})
+install(DIRECTORY raster DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodestone
+        FILES_MATCHING PATTERN "*.h" PATTERN "reference" EXCLUDE)
+configure_package_config_file(cmake/lodestone-config.cmake.in lodestone-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(lodestone-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/lodestone-config.cmake ${PROJECT_BINARY_DIR}/lodestone-config-version.cmake
+        DESTINATION ${package_dir})
