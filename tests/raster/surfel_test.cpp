@@ -34,6 +34,27 @@ glm::dmat4 pixels_16() {
   return m;
 }
 
+class SurfelOracleTest : public testing::TestWithParam<SurfelKind> {};
+
+/// First mismatch of covers() with the oracle in a window, or an empty text.
+std::string mismatch(const SurfelCase& s, const PixelBox& window, glm::ivec2 sample_fx8) {
+  const SurfelOracle oracle(s);
+  const std::optional<Surfel> surfel = surfel_of(s);
+  const Pixels pixels = surfel ? covered(*surfel, window, sample_fx8) : Pixels{};
+  Pixels expected;
+  for (int y = window.begin_px.y; y < window.end_px.y; ++y) {
+    for (int x = window.begin_px.x; x < window.end_px.x; ++x) {
+      if (oracle.covers(sample_position_fx8({x, y}, sample_fx8))) expected.emplace_back(y, x);
+    }
+  }
+  const glm::ivec2 size = window.end_px - window.begin_px;
+  const auto moved = [&](Pixels all) {
+    for (auto& [y, x] : all) y -= window.begin_px.y, x -= window.begin_px.x;
+    return all;
+  };
+  return pixels == expected ? "" : "got" + picture(moved(pixels), size) + "expected" + picture(moved(expected), size);
+}
+
 TEST(SurfelCoverage, ADiscAcrossTheViewIsACircleWithItsRim) {
   // Centre at the sample (8½, 8½), radius 5: 3-4-5 and 5-0 samples lie on the rim.
   const SurfelCase s{{0.5f, -0.5f, 0.0f}, {0, 0, 1}, 5.0f, pixels_16(), {0, 0}, {16, 16}};
@@ -154,27 +175,6 @@ TEST(SurfelCoverage, ADiscInTheNearOrTheFarPlaneIsDrawn) {
   EXPECT_FALSE(surfel_of(beyond).has_value());
 }
 
-class SurfelOracleTest : public testing::TestWithParam<SurfelKind> {};
-
-/// First mismatch of covers() with the oracle in a window, or an empty text.
-std::string mismatch(const SurfelCase& s, const PixelBox& window, glm::ivec2 sample_fx8) {
-  const SurfelOracle oracle(s);
-  const std::optional<Surfel> surfel = surfel_of(s);
-  const Pixels pixels = surfel ? covered(*surfel, window, sample_fx8) : Pixels{};
-  Pixels expected;
-  for (int y = window.begin_px.y; y < window.end_px.y; ++y) {
-    for (int x = window.begin_px.x; x < window.end_px.x; ++x) {
-      if (oracle.covers(sample_position_fx8({x, y}, sample_fx8))) expected.emplace_back(y, x);
-    }
-  }
-  const glm::ivec2 size = window.end_px - window.begin_px;
-  const auto moved = [&](Pixels all) {
-    for (auto& [y, x] : all) y -= window.begin_px.y, x -= window.begin_px.x;
-    return all;
-  };
-  return pixels == expected ? "" : "got" + picture(moved(pixels), size) + "expected" + picture(moved(expected), size);
-}
-
 TEST_P(SurfelOracleTest, CoverageEqualsTheRationals) {
   int hits = 0;
   for (std::uint64_t i = 0; i < 1200; ++i) {
@@ -206,6 +206,7 @@ TEST_P(SurfelOracleTest, DepthIsWithin0501UlpOfTheRational) {
       --left;
       ++samples;
       const glm::ivec2 p = sample_position_fx8(pixel, kCentre);
+      ASSERT_TRUE(oracle.covers(p)) << "case " << i;
       const float z = depth_at(*surfel, p);
       ASSERT_TRUE(z >= 0.0f && z <= 1.0f);
       const mpq_class error = abs(mpq_class(z) - oracle.depth(p));
@@ -215,6 +216,26 @@ TEST_P(SurfelOracleTest, DepthIsWithin0501UlpOfTheRational) {
   }
   EXPECT_LE(worst, 0.501);
   EXPECT_GT(samples, 200);
+}
+
+TEST_P(SurfelOracleTest, TheExactTestAloneEqualsTheRationals) {
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    const CounterRandom random{36, i};
+    SurfelCase s = random_surfel(GetParam(), random);
+    if (i % 3 == 0) {
+      for (int j = 0; j < 4; ++j) s.clip_from_object[j][2] = 0.0;  // depth 0 everywhere: no near plane hides small w
+    }
+    if (!(s.radius > 0.0f) || s.normal == glm::vec3(0.0f)) continue;
+    const SurfelOracle oracle(s);
+    const auto read = [](float x) { return std::clamp(double(x), -0x1p128, 0x1p128); };
+    const SurfelInput input{{read(s.centre.x), read(s.centre.y), read(s.centre.z)},
+                            {read(s.normal.x), read(s.normal.y), read(s.normal.z)},
+                            read(s.radius), s.clip_from_object, s.viewport_origin_px, s.viewport_size_px};
+    for (int k = 0; k < 4; ++k) {
+      const glm::ivec2 p = middle_of(s) * 256 + 64 * glm::ivec2{random.integer(std::uint64_t(800 + k), -20, 20), random.integer(std::uint64_t(810 + k), -20, 20)};
+      ASSERT_EQ(exact_covers(input, p), oracle.covers(p)) << "case " << i << " at " << p.x << ", " << p.y;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SurfelOracleTest,
@@ -271,6 +292,25 @@ TEST(SurfelCoverage, ADenormalRadiusCoversASampleAtTheCentreOnly) {
   EXPECT_EQ(covered(*surfel_of(s), {{0, 0}, {16, 16}}), Pixels{});
 }
 
+TEST(SurfelCoverage, AWBelowTheLeastPositiveFloatDrawsNothing) {
+  SurfelCase s{{0.0f, 0.0f, 0.0f}, {0, 0, 1}, 4.0f, pixels_16() * 0x1p-149, {0, 0}, {16, 16}};
+  EXPECT_TRUE(surfel_of(s).has_value());
+  EXPECT_EQ(mismatch(s, {{0, 0}, {16, 16}}, kCentre), "");
+  EXPECT_FALSE(covered(*surfel_of(s), {{0, 0}, {16, 16}}).empty());
+  s.clip_from_object *= 0.5;
+  EXPECT_EQ(mismatch(s, {{0, 0}, {16, 16}}, kCentre), "");
+  const std::optional<Surfel> below = surfel_of(s);
+  EXPECT_TRUE(!below || covered(*below, {{0, 0}, {16, 16}}).empty());
+}
+
+TEST(SurfelCoverage, BoundsOfASmallDiscAreSmall) {
+  // Radius 5 px around (8½, 8½): pixels 3 … 13, and at most one more on each side.
+  const SurfelCase s{{0.5f, -0.5f, 0.0f}, {0, 0, 1}, 5.0f, pixels_16(), {0, 0}, {16, 16}};
+  const PixelBox box = bounds_px(*surfel_of(s), kCentre);
+  EXPECT_TRUE(box.begin_px.x >= 2 && box.begin_px.y >= 2 && box.begin_px.x <= 3 && box.begin_px.y <= 3);
+  EXPECT_TRUE(box.end_px.x >= 14 && box.end_px.y >= 14 && box.end_px.x <= 15 && box.end_px.y <= 15);
+}
+
 TEST(SurfelCoverage, DoesNotDependOnTheWindow) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     const CounterRandom random{33, i};
@@ -321,6 +361,18 @@ TEST(SurfelFootprint, OfADiscAcrossTheViewRunsRightAndUp) {
   const VertexUvs uvs = std::array<glm::vec2, 3>{glm::vec2{0.25f, 7.0f}, glm::vec2{}, glm::vec2{}};
   EXPECT_EQ(footprint_at(surfel, uvs, {10 * 256, 8 * 256}).uv, glm::dvec2(0.25, 7.0));
   EXPECT_EQ(footprint_at(surfel, uvs, {10 * 256, 8 * 256}).duv_dx, glm::dvec2(0.0));
+}
+
+TEST(SurfelFootprint, HasAnOrthonormalBasisForEveryNormal) {
+  // Seen across its normal, a disc's coordinate moves by 1/(2r) per pixel in a direction and its perpendicular.
+  for (const glm::vec3 normal : {glm::vec3{0, 0, 1}, {0, 0, -1}, {0, -0.0f, -3}, {1e-30f, 0, -1}}) {
+    const SurfelCase s{{0.0f, 0.0f, 0.0f}, normal, 4.0f, pixels_16(), {0, 0}, {16, 16}};
+    const Footprint f = footprint_at(*surfel_of(s), {}, {8 * 256, 8 * 256});
+    EXPECT_DOUBLE_EQ(f.uv.x, 0.5);
+    EXPECT_NEAR(f.duv_dx.x * f.duv_dx.x + f.duv_dx.y * f.duv_dx.y, 1.0 / 64.0, 1e-14);  // a few roundings
+    EXPECT_NEAR(f.duv_dy.x * f.duv_dy.x + f.duv_dy.y * f.duv_dy.y, 1.0 / 64.0, 1e-14);
+    EXPECT_NEAR(f.duv_dx.x * f.duv_dy.x + f.duv_dx.y * f.duv_dy.y, 0.0, 1e-14);
+  }
 }
 
 TEST(SurfelFootprint, IsFiniteForHostileSurfels) {
