@@ -240,7 +240,8 @@ class DrawAssembler {
     }
     if (draw_.stipple) {
       line->stipple = LineStipple{*draw_.stipple, strip_fragments_};
-      if (draw_.topology == Topology::line_strip) strip_fragments_ += fragment_count(*line, frame_.samples_fx8[0]);
+      // At pixel centres, so that a sample's picture does not depend on which other samples the frame has.
+      if (draw_.topology == Topology::line_strip) strip_fragments_ += fragment_count(*line, kCentreSample_fx8[0]);
     }
     push(*line, 0, {a, b, b}, 2);
   }

@@ -22,7 +22,7 @@ namespace lode::raster::reference {
 /// Fragment n of a segment (0 first, from a to b) is number `first_fragment` + n of its line or strip.
 struct LineStipple {
   Stipple stipple;
-  std::uint64_t first_fragment = 0;  ///< fragments of the strip's earlier segments, counted at the same sample
+  std::uint64_t first_fragment = 0;  ///< fragments of the strip's earlier segments, at pixel centres
 };
 
 /// A segment that has a length. The weights are its ends' weights of the primitive's own two vertices: not

@@ -10,7 +10,7 @@ namespace {
 
 /// Bad input, status 3, nothing on standard output, and exactly this line.
 void expect_error(const std::string& json, const std::string& message) {
-  const Run run = run_lodestone({"draw", "-", "--stats", "-"}, json);
+  const Outcome run = run_lodestone({"draw", "-", "--stats", "-"}, json);
   EXPECT_EQ(run.status, 3) << json;
   EXPECT_EQ(run.err, "lodestone: standard input: " + message + "\n") << json;
   EXPECT_EQ(run.out, "") << json;
@@ -23,7 +23,7 @@ const std::string kTriangle = R"("triangles": [[0,0,0], [0,4,0], [4,0,0]])";
 
 TEST(DrawErrors, SyntaxGivesLineAndColumn) {
   expect_error("{\"size\": [1,\n  x]}",
-               "line 2, column 3: syntax error while parsing value - invalid literal; last read: '[1,<U+000A>  x'");
+               "line 2, column 3: syntax error while parsing value - invalid literal; last read: '1,<U+000A>  x'");
   expect_error("{\"size\": [1, 2]",
                "line 1, column 16: syntax error while parsing object - unexpected end of input; expected '}'");
   expect_error(
@@ -113,7 +113,7 @@ TEST(DrawErrors, TexturesAreWholeAndHaveCoordinates) {
 
 TEST(DrawErrors, StateThatAGeometryDoesNotHaveIsAnError) {
   using testing::HasSubstr;
-  const Run run = run_lodestone({"draw", "-", "--print"}, with_draw("{" + kTriangle + R"(, "stipple": {}})"));
+  const Outcome run = run_lodestone({"draw", "-", "--print"}, with_draw("{" + kTriangle + R"(, "stipple": {}})"));
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("draws[0]: unknown key \"stipple\": expected one of triangles, color"));
 }

@@ -34,7 +34,7 @@ std::string sha256_of(const std::string& text) { return experiments::sha256_hex(
 
 TEST(DrawOutputs, ArraysHoldThePlanesAsTheyAre) {
   const TemporaryDirectory directory;
-  const Run run = run_lodestone(
+  const Outcome run = run_lodestone(
       {"draw", "-", "--out", directory / "c.npy", "--depth", directory / "z.npy", "--ids", directory / "i.npy"},
       kPoint);
   ASSERT_EQ(run.status, 0) << run.err;
@@ -61,7 +61,7 @@ TEST(DrawOutputs, ArraysHoldThePlanesAsTheyAre) {
 TEST(DrawOutputs, BlendedDrawsPrintButLeaveNoIds) {
   const TemporaryDirectory directory;
   const std::string blended = R"({"size": [2, 1], "draws": [{"points": [[0.5, 0.5, 1]], "blend": "over"}]})";
-  const Run run = run_lodestone({"draw", "-", "--print", "--ids", directory / "i.npy"}, blended);
+  const Outcome run = run_lodestone({"draw", "-", "--print", "--ids", directory / "i.npy"}, blended);
   EXPECT_EQ(run.out, "A.\n");
   EXPECT_EQ(read_npy(directory / "i.npy").bytes, std::string(16, '\xFF'));
 }
@@ -72,9 +72,9 @@ TEST(DrawOutputs, StatisticsCountSamplesAndHashTheArrays) {
     {"triangles": [[0,0,0.5], [0,4,0.5], [4,0,0.5]]},
     {"quads": [[0,0,0.25], [0,4,0.25], [4,4,0.25], [4,0,0.25]]}]})";
   const TemporaryDirectory directory;
-  const Run run = run_lodestone({"draw", "-", "--out", directory / "c.npy", "--depth", directory / "z.npy", "--ids",
-                                 directory / "i.npy", "--stats", directory / "stats", "--threads", "2"},
-                                json);
+  const Outcome run = run_lodestone({"draw", "-", "--out", directory / "c.npy", "--depth", directory / "z.npy", "--ids",
+                                     directory / "i.npy", "--stats", directory / "stats", "--threads", "2"},
+                                    json);
   ASSERT_EQ(run.status, 0) << run.err;
   const auto stats = nlohmann::json::parse(file_text(directory / "stats"));
   EXPECT_EQ(stats["picture"], "-");
@@ -141,7 +141,7 @@ TEST(DrawOutputs, AnEmptyPictureFitsIntoArraysOnly) {
   const auto stats = nlohmann::json::parse(run_lodestone({"draw", "-", "--stats", "-"}, empty).out);
   EXPECT_EQ(stats["sha256"]["ids"], sha256_of(""));
   for (const char* name : {"c.png", "c.exr"}) {
-    const Run run = run_lodestone({"draw", "-", "--out", directory / name}, empty);
+    const Outcome run = run_lodestone({"draw", "-", "--out", directory / name}, empty);
     EXPECT_EQ(run.status, 3);
     EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
     EXPECT_THAT(run.err, HasSubstr("an empty picture (0 x 0): expected a .npy file"));
@@ -151,7 +151,7 @@ TEST(DrawOutputs, AnEmptyPictureFitsIntoArraysOnly) {
 TEST(DrawOutputs, TextIsAtMost200ColumnsWide) {
   EXPECT_EQ(run_lodestone({"draw", "-", "--print"}, R"({"size": [200, 1], "draws": []})").out,
             std::string(200, '.') + "\n");
-  const Run run = run_lodestone({"draw", "-", "--print"}, R"({"size": [201, 1], "draws": []})");
+  const Outcome run = run_lodestone({"draw", "-", "--print"}, R"({"size": [201, 1], "draws": []})");
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.err, "lodestone: standard input: size: --print takes at most 200 columns, found 201\n");
 }
@@ -173,7 +173,7 @@ TEST(DrawOutputs, WhatCannotGoTogetherIsWrongUsage) {
   for (const Arguments& extra : wrong) {
     Arguments arguments = {"draw", p};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
-    const Run run = run_lodestone(arguments);
+    const Outcome run = run_lodestone(arguments);
     EXPECT_EQ(run.status, 2) << run.err;
     EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
     EXPECT_EQ(run.out, "");
@@ -186,7 +186,7 @@ TEST(DrawOutputs, ReadsAFileOrStandardInput) {
   write_text(directory / "p.json", kPoint);
   EXPECT_EQ(run_child({"draw", directory / "p.json", "--print"}).out, ".B.\n...\n");
   EXPECT_EQ(run_child({"draw", "-", "--print"}, kPoint).out, ".B.\n...\n");
-  const Run none = run_lodestone({"draw", directory / "q.json", "--print"});
+  const Outcome none = run_lodestone({"draw", directory / "q.json", "--print"});
   EXPECT_EQ(none.status, 3);
   EXPECT_THAT(none.err, HasSubstr("q.json: cannot be read: No such file or directory"));
   EXPECT_EQ(run_lodestone({"draw", directory / "", "--print"}).status, 3);

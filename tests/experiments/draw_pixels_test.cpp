@@ -11,7 +11,7 @@ namespace {
 
 /// The picture as `--print` shows it, or the error.
 std::string printed(const std::string& json) {
-  const Run run = run_lodestone({"draw", "-", "--print"}, json);
+  const Outcome run = run_lodestone({"draw", "-", "--print"}, json);
   return run.status == 0 ? "\n" + run.out : run.err;
 }
 
@@ -42,7 +42,9 @@ BBBB
 TEST(DrawPixels, LettersGoFromCapitalsToSmallOnesAndRound) {
   // One point a pixel of one row; draw 0 is A, 25 Z, 26 a, 51 z, 52 A again.
   std::string points;
-  for (int i = 0; i < 53; ++i) points += (i ? "," : "") + R"({"points": [[)" + std::to_string(i) + ".5,0.5,1]]}";
+  for (int i = 0; i < 53; ++i) {
+    points += std::string(i ? "," : "") + R"({"points": [[)" + std::to_string(i) + ".5,0.5,1]]}";
+  }
   EXPECT_EQ(printed(R"({"size": [53, 1], "draws": [)" + points + "]}"),
             "\nABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyzA\n");
 }
@@ -76,7 +78,7 @@ TEST(DrawPixels, StippleTakesTheLowestBitFirst) {
 TEST(DrawPixels, PointsAreSquaresAndDiscsAreRound) {
   // Side 3 about (2.5, 2.5): [1, 4) both ways. Radius 1: the centre and its neighbours, which lie at exactly 1.
   const std::string end = "]}";
-  EXPECT_EQ(printed(R"({"size": [5, 5], "draws": [{"points": [[2.5,2.5,0.5]], "point_size": 3})" + ("]}")),
+  EXPECT_EQ(printed(R"({"size": [5, 5], "draws": [{"points": [[2.5,2.5,0.5]], "point_size": 3})" + end),
             "\n.....\n.AAA.\n.AAA.\n.AAA.\n.....\n");
   EXPECT_EQ(printed(R"({"size": [5, 5], "draws": [{"discs": [{"center": [2.5,2.5,0.5], "radius": 1}]})" + end),
             "\n.....\n..A..\n.AAA.\n..A..\n.....\n");

@@ -14,7 +14,7 @@ using testing::StartsWith;
 const std::string kEmpty = R"({"size": [2, 1], "draws": []})";
 
 void expect_wrong_usage(const Arguments& arguments, const std::string& message) {
-  const Run run = run_lodestone(arguments, kEmpty);
+  const Outcome run = run_lodestone(arguments, kEmpty);
   EXPECT_EQ(run.status, 2) << message;
   EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
   EXPECT_THAT(run.err, HasSubstr(message));
@@ -22,22 +22,22 @@ void expect_wrong_usage(const Arguments& arguments, const std::string& message) 
 }
 
 TEST(Program, PrintsItsVersionAndThePixelContract) {
-  const Run run = run_child({"--version"});
+  const Outcome run = run_child({"--version"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, "lodestone 0.1.0, pixel contract 1\n");
 }
 
 TEST(Program, HelpGoesToStandardOutputWithExamples) {
-  const Run run = run_lodestone({"--help"});
+  const Outcome run = run_lodestone({"--help"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, HasSubstr("lodestone draw picture.json --out picture.png"));
-  const Run draw = run_lodestone({"draw", "--help"});
+  const Outcome draw = run_lodestone({"draw", "--help"});
   EXPECT_EQ(draw.status, 0);
   EXPECT_THAT(draw.out, HasSubstr("--depth"));
 }
 
 TEST(Program, WithoutArgumentsHelpGoesToStandardError) {
-  const Run run = run_child({});
+  const Outcome run = run_child({});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err, HasSubstr("Usage: lodestone"));
@@ -58,7 +58,7 @@ TEST(Program, CommonOptionsStandBeforeOrAfterTheCommand) {
   before.insert(before.end(), {"draw", "-", "--print"});
   after.insert(after.end(), common.begin(), common.end());
   for (const Arguments& arguments : {before, after}) {
-    const Run run = run_lodestone(arguments, kEmpty);
+    const Outcome run = run_lodestone(arguments, kEmpty);
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.out, "..\n");
   }
@@ -93,7 +93,7 @@ TEST(Program, PipelinesAndSkipsAreKnownByName) {
 }
 
 TEST(Program, AControlCharacterInANameDoesNotBreakTheLine) {
-  const Run run = run_lodestone({"draw", "no\nsuch\x1b[31mfile", "--print"});
+  const Outcome run = run_lodestone({"draw", "no\nsuch\x1b[31mfile", "--print"});
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.err, "lodestone: no?such?[31mfile: cannot be read: No such file or directory\n");
 }

@@ -31,18 +31,18 @@ void redirect(int stream, const char* path, int flags) {
 
 }  // namespace
 
-Run run_lodestone(const Arguments& arguments, const std::string& input) {
+Outcome run_lodestone(const Arguments& arguments, const std::string& input) {
   std::istringstream in(input);
   std::ostringstream out, err;
   const std::vector<const char*> argv = c_strings(arguments);
-  Run run;
+  Outcome run;
   run.status = experiments::run_lodestone(int(argv.size()) - 1, argv.data(), in, out, err);
   run.out = out.str();
   run.err = err.str();
   return run;
 }
 
-Run run_child(const Arguments& arguments, const std::string& input, const ChildLimits& limits) {
+Outcome run_child(const Arguments& arguments, const std::string& input, const ChildLimits& limits) {
   const TemporaryDirectory directory;
   const std::string in_path = directory / "in", out_path = directory / "out", err_path = directory / "err";
   write_text(in_path, input);
@@ -61,7 +61,7 @@ Run run_child(const Arguments& arguments, const std::string& input, const ChildL
   }
   int code = 0;
   if (child < 0 || ::waitpid(child, &code, 0) != child) throw std::runtime_error("the program cannot be started");
-  Run run;
+  Outcome run;
   if (WIFEXITED(code)) run.status = WEXITSTATUS(code);
   if (WIFSIGNALED(code)) run.signal = WTERMSIG(code);
   if (!limits.out_path) run.out = file_text(out_path);

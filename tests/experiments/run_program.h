@@ -7,7 +7,7 @@
 
 namespace lode::tests {
 
-struct Run {
+struct Outcome {
   int status = -1;  ///< exit status; -1 if a signal ended the process
   int signal = 0;   ///< that signal
   std::string out, err;
@@ -16,15 +16,16 @@ struct Run {
 using Arguments = std::vector<std::string>;
 
 /// run_lodestone() on strings.
-[[nodiscard]] Run run_lodestone(const Arguments& arguments, const std::string& input = "");
+[[nodiscard]] Outcome run_lodestone(const Arguments& arguments, const std::string& input = "");
 
 struct ChildLimits {
   long max_file_bytes = -1;        ///< no file may grow beyond it; −1: no limit
-  const char* out_path = nullptr;  ///< where standard output goes instead of into Run::out
+  const char* out_path = nullptr;  ///< where standard output goes instead of into Outcome::out
 };
 
 /// The built program in a child process.
-[[nodiscard]] Run run_child(const Arguments& arguments, const std::string& input = "", const ChildLimits& limits = {});
+[[nodiscard]] Outcome run_child(const Arguments& arguments, const std::string& input = "",
+                                const ChildLimits& limits = {});
 
 /// A directory of its own that is gone when the test ends.
 class TemporaryDirectory {

@@ -63,7 +63,7 @@ TEST(WholeFile, AFullDiskIsAFailureOfTheMachineAndLeavesNothing) {
   for (const char* ending : {"a.npy", "a.exr", "a.png"}) {
     const TemporaryDirectory directory;
     const std::string noise = R"({"size": [64, 64], "draws": [{"points": [[9, 9, 1]], "point_size": 3}]})";
-    const Run run = run_child({"draw", "-", "--out", directory / ending}, noise, {.max_file_bytes = 50});
+    const Outcome run = run_child({"draw", "-", "--out", directory / ending}, noise, {.max_file_bytes = 50});
     EXPECT_EQ(run.status, 4) << ending;
     EXPECT_THAT(directory.names(), IsEmpty());
   }
@@ -72,8 +72,8 @@ TEST(WholeFile, AFullDiskIsAFailureOfTheMachineAndLeavesNothing) {
 TEST(WholeFile, OneOutputThatFailsHoldsBackTheOthers) {
   // A float depth .npy of 64 x 64 has 128 + 16384 bytes, the PNG of one colour a few hundred.
   const TemporaryDirectory directory;
-  const Run run = run_child({"draw", "-", "--out", directory / "a.png", "--depth", directory / "z.npy"}, kPicture,
-                            {.max_file_bytes = 8192});
+  const Outcome run = run_child({"draw", "-", "--out", directory / "a.png", "--depth", directory / "z.npy"}, kPicture,
+                                {.max_file_bytes = 8192});
   EXPECT_EQ(run.status, 4);
   EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
   EXPECT_THAT(run.err, HasSubstr("z.npy: cannot be written: File too large"));
@@ -82,7 +82,7 @@ TEST(WholeFile, OneOutputThatFailsHoldsBackTheOthers) {
 
 TEST(WholeFile, StandardOutputThatFailsHoldsBackTheFiles) {
   const TemporaryDirectory directory;
-  const Run run =
+  const Outcome run =
       run_child({"draw", "-", "--out", directory / "a.png", "--print"}, kPicture, {.out_path = "/dev/full"});
   EXPECT_EQ(run.status, 4);
   EXPECT_EQ(run.err, "lodestone: standard output: cannot be written\n");
@@ -101,13 +101,13 @@ TEST(WholeFile, APlaceThatCannotBeWrittenIsBadInput) {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory / "folder.npy");
   const auto draw_to = [](const std::string& path) { return run_lodestone({"draw", "-", "--out", path}, kPicture); };
-  const Run to_folder = draw_to(directory / "folder.npy");
+  const Outcome to_folder = draw_to(directory / "folder.npy");
   EXPECT_EQ(to_folder.status, 3);
   EXPECT_THAT(to_folder.err, HasSubstr("folder.npy: is a directory: expected a file to write"));
-  const Run to_nowhere = draw_to(directory / "no/a.npy");
+  const Outcome to_nowhere = draw_to(directory / "no/a.npy");
   EXPECT_EQ(to_nowhere.status, 3);
   EXPECT_THAT(to_nowhere.err, HasSubstr("no/a.npy: cannot be written: No such file or directory"));
-  const Run to_device = run_lodestone({"draw", "-", "--stats", "/dev/null"}, kPicture);
+  const Outcome to_device = run_lodestone({"draw", "-", "--stats", "/dev/null"}, kPicture);
   EXPECT_EQ(to_device.status, 3);
   EXPECT_THAT(to_device.err, HasSubstr("is a device or pipe"));
   EXPECT_THAT(directory.names(), ElementsAre("folder.npy"));

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
+#include <vector>
 
 namespace lode::raster::test {
 
@@ -22,8 +23,8 @@ struct Displacement {
   std::int64_t x = std::int64_t(1) << 26, y = 1;
 };
 
-/// The side of the line a→b that the displaced sample lies on: +1 to its right as seen on screen (y down), or −1; 0
-/// only where a and b coincide.
+/// The side of the line a→b that the displaced sample lies on: +1 where a clockwise triangle (as seen on screen) has
+/// its inside, −1 on the other; 0 only where a and b coincide.
 [[nodiscard]] inline int side_of(glm::ivec2 a, glm::ivec2 b, glm::ivec2 p, Displacement by = {}) {
   const Int128 x = (Int128(p.x - a.x) << 52) + by.x, y = (Int128(p.y - a.y) << 52) + by.y;
   const Int128 area = Int128(b.x - a.x) * y - Int128(b.y - a.y) * x;
@@ -47,10 +48,45 @@ struct Displacement {
     const bool a_below = a.y > p_fx8.y, b_below = b.y > p_fx8.y;  // below the displaced sample: on its level is above
     if (a_below == b_below) continue;
     const int side = side_of(a, b, p_fx8);
-    if (b_below && side > 0) ++winding;   // the edge goes down, to the right of the sample
+    if (b_below && side > 0) ++winding;  // the edge goes down, on the sample's right
     if (a_below && side < 0) --winding;
   }
   return winding;
+}
+
+/// The number of columns, 0, 1, …, whose sample lies left of a (not horizontal) line through a and b, on the row of
+/// samples at y_fx8: those with 256 · column + 128 < x*, x* where the line meets the row; at most `limit`. A sample on
+/// the line is displaced to its right.
+[[nodiscard]] inline int columns_left_of(glm::ivec2 a, glm::ivec2 b, std::int32_t y_fx8, int limit) {
+  if (a.y > b.y) return columns_left_of(b, a, y_fx8, limit);
+  const Int128 dy = b.y - a.y;
+  const Int128 above = Int128(a.x - 128) * dy + Int128(b.x - a.x) * (y_fx8 - a.y);  // (x* − 128) · dy
+  if (above <= 0) return 0;
+  const Int128 n = (above + 256 * dy - 1) / (256 * dy);  // ⌈(x* − 128) / 256⌉
+  return n < limit ? int(n) : limit;
+}
+
+/// winding_number for all samples of the window [0, size_px), row by row from top to bottom.
+[[nodiscard]] inline std::vector<std::int8_t> winding_numbers(std::span<const glm::ivec2> outline, glm::ivec2 size_px) {
+  std::vector<std::int8_t> windings(std::size_t(size_px.x) * std::size_t(size_px.y));
+  std::vector<int> steps(std::size_t(size_px.x) + 1);
+  for (int y = 0; y < size_px.y; ++y) {
+    const std::int32_t y_fx8 = 256 * y + 128;
+    steps.assign(steps.size(), 0);
+    int winding = 0;  // left of everything
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::ivec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+      const int down = int(b.y > y_fx8) - int(a.y > y_fx8);
+      if (down == 0) continue;
+      winding += down;
+      steps[std::size_t(columns_left_of(a, b, y_fx8, size_px.x))] -= down;
+    }
+    for (int x = 0; x < size_px.x; ++x) {
+      winding += steps[std::size_t(x)];
+      windings[std::size_t(y) * std::size_t(size_px.x) + std::size_t(x)] = std::int8_t(winding);
+    }
+  }
+  return windings;
 }
 
 }  // namespace lode::raster::test

@@ -55,7 +55,8 @@ inline void add_everything(Scene& scene) {
   mesh.shader = lambert_shader({.to_light = {0, 0.6f, 0.8f}, .two_sided = true});
   mesh.cull = Cull::back;
 
-  scene.clip(Topology::triangles, {{-5e5, -0.2, 0.2, 1}, {8e5, 0.1, 0.9, 1}, {0, 0.3, 0.4, 1}}).colors = random_colors(3);
+  scene.clip(Topology::triangles, {{-5e5, -0.2, 0.2, 1}, {8e5, 0.1, 0.9, 1}, {0, 0.3, 0.4, 1},
+                                   {0, 0, 2, 1}, {1, 0, 2, 1}, {0, 1, 2, 1}}).colors = random_colors(6);
   scene.window(Topology::triangles, random_window(60)).colors = random_colors(60);
 
   Draw& cut_out = scene.window(Topology::triangles, random_window(24));
@@ -78,17 +79,17 @@ inline void add_everything(Scene& scene) {
   points.point_size_px = 3.3f;
   points.colors = random_colors(12);
   Draw& discs = scene.window(Topology::discs, random_window(9));
-  discs.radii = scene.keep<float>({1, 2.5f, 0, -1, 4, 0.3f, 5, 1.75f, std::numeric_limits<float>::quiet_NaN()});
+  discs.radii = scene.keep<float>({9, 2.5f, 0, -1, 14, 0.3f, 12, 11.75f, std::numeric_limits<float>::quiet_NaN()});
   discs.texture = texture;
   discs.blend = Blend::add;
   discs.color = glm::vec4(0.5f) * full;
 
-  Draw& surfels = scene.object(Topology::surfels, {{-1, 0, -4}, {0, 0.5f, -3}, {1, -0.5f, -6}, {0.5f, 0.5f, -2}}, perspective(0.1));
+  Draw& surfels = scene.object(Topology::surfels, {{-1, 0, -4}, {0, 0.5f, -3}, {1, -0.5f, -6}, {0.5f, 0.5f, -2}}, perspective(1.9));
   surfels.normals = scene.keep<glm::vec3>({{0, 0, 1}, {1, 1, 1}, {0, 1, 0.2f}, {0, 0, 0}});
   surfels.radii = scene.keep<float>({0.5f, 0.4f, 1.5f, 1.0f});
   surfels.colors = random_colors(4);
 
-  Draw& glass = scene.window(Topology::quads, random_window(8));
+  Draw& glass = scene.window(Topology::quads, {{0, 0, 0.98}, {w, 0, 0.6}, {w, h, 0.9}, {0, h, 0.2}, {1, 1, 0.9}, {w, 2, 0.99}, {9, h, 0.4}, {2, h, 0.1}});
   glass.blend = Blend::over;
   glass.depth_write = true;
   glass.colors = random_colors(8);

@@ -34,7 +34,8 @@ void expect_exact_pairs(std::uint64_t seed, int n) {
   test::HashedNumbers random(seed);
   for (int i = 0; i < n && !testing::Test::HasFatalFailure(); ++i) {
     const int size_px = i % 16 == 0 ? random.between(1, 16384) : random.between(1, 40);
-    expect_exact_pair<Integer>(test::random_coordinate(random, size_px), size_px, test::kWraps[random.below(4)]);
+    const double u = test::random_coordinate(random, size_px);
+    expect_exact_pair<Integer>(u, size_px, test::kWraps[random.below(4)]);
   }
 }
 

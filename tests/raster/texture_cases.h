@@ -25,6 +25,16 @@ inline constexpr Wrap kWraps[] = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap:
   return texels;
 }
 
+/// Floats below 1 of many magnitudes; alpha is negative.
+[[nodiscard]] inline std::vector<glm::vec4> random_linear_texels(HashedNumbers& random, glm::ivec2 size_px) {
+  std::vector<glm::vec4> texels(std::size_t(size_px.x) * std::size_t(size_px.y));
+  for (glm::vec4& texel : texels) {
+    for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(random.of_magnitude(-40, -1));
+    texel.a = -texel.a;
+  }
+  return texels;
+}
+
 /// 1×1, rows, columns, powers of two and others; at most `most` a side.
 [[nodiscard]] inline glm::ivec2 random_size_px(HashedNumbers& random, int most) {
   const auto side = [&] {
@@ -62,7 +72,7 @@ inline constexpr Wrap kWraps[] = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap:
       u = whole;
       break;
     default:
-      u = std::ldexp(random.unit() - 0.5, -random.between(1, 1060));
+      u = random.of_magnitude(-1073, -2) * (random.below(2) == 0 ? 1.0 : -1.0);
       break;
   }
   const double towards = random.below(2) == 0 ? -1e9 : 1e9;
@@ -84,7 +94,7 @@ inline constexpr Wrap kWraps[] = {Wrap::repeat, Wrap::mirror, Wrap::clamp, Wrap:
   if (random.below(16) == 0) footprint.duv_dx = {0.0, 0.0};
   if (random.below(16) == 0) footprint.duv_dy = {0.0, 0.0};
   if (random.below(8) == 0) {  // small fractions, so that every square is exact in double
-    footprint.duv_dx = glm::dvec2(random.between(-8, 8), random.between(-8, 8)) / 64.0;
+    footprint.duv_dx = glm::dvec2{random.between(-8, 8), random.between(-8, 8)} / 64.0;
     footprint.duv_dy = footprint.duv_dx * static_cast<double>(random.between(0, 20));
   }
   return footprint;

@@ -4,7 +4,7 @@
 #include "raster/texture.h"
 #include "stress_count.h"
 #include "texture_cases.h"
-#include "texture_oracle.h"
+#include "texture_filter_oracle.h"
 
 namespace lode::raster {
 namespace {
@@ -13,7 +13,7 @@ using test::stress_count;
 
 constexpr std::uint64_t kCasesPerTexture = 1000;
 
-/// Wrong results among n random look-ups with one filter.
+/// Wrong results among n random look-ups with one filter; the first one is named.
 template <class Integer>
 std::uint64_t wrong_samples(std::uint64_t seed, std::uint64_t n, Filter filter) {
   test::HashedNumbers random(seed);
@@ -28,7 +28,9 @@ std::uint64_t wrong_samples(std::uint64_t seed, std::uint64_t n, Filter filter) 
                                        ? test::nearest_raw<Integer>(texture, sampler, footprint.uv)
                                        : test::filtered_raw<Integer>(texture, sampler, footprint.uv,
                                                                      test::fast_plan(texture, sampler, footprint));
-      wrong += sample_raw(texture, sampler, footprint) != expected;
+      if (sample_raw(texture, sampler, footprint) == expected) continue;
+      EXPECT_GT(wrong++, 0u) << "first wrong: case " << done + i << " of seed " << seed << ", uv " << footprint.uv.x
+                             << " " << footprint.uv.y << ", texture " << size_px.x << "x" << size_px.y;
     }
   }
   return wrong;
@@ -62,12 +64,30 @@ TEST(TextureStress, EveryFilterEqualsTheGmpOracle) {
   EXPECT_EQ(wrong_samples<mpz_class>(8, n / 10, Filter::anisotropic), 0u);
 }
 
+TEST(TextureStress, LinearTexturesSumInTheWrittenOrder) {
+  const auto n = stress_count("look-ups in linear textures", 1'000'000, 1'000'000'000);
+  test::HashedNumbers random(11);
+  std::uint64_t wrong = 0;
+  for (std::uint64_t done = 0; done < n; done += kCasesPerTexture) {
+    const glm::ivec2 size_px = test::random_size_px(random, 100);
+    const Texture texture = make_linear_texture(size_px, test::random_linear_texels(random, size_px), Mips::all);
+    for (std::uint64_t i = 0; i < kCasesPerTexture; ++i) {
+      const Sampler sampler = test::random_sampler(random, i % 4 == 0 ? Filter::anisotropic : Filter::trilinear);
+      const Footprint footprint = test::random_footprint(random, size_px);
+      const test::Plan plan = test::fast_plan(texture, sampler, footprint);
+      wrong +=
+          sample_linear(texture, sampler, footprint) != test::filtered_linear(texture, sampler, footprint.uv, plan);
+    }
+  }
+  EXPECT_EQ(wrong, 0u);
+}
+
 TEST(TextureStress, LevelOfDetailEqualsMpfr) {
   const auto n = stress_count("levels of detail", 10'000'000, 10'000'000'000);
   test::HashedNumbers random(9);
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const double rho_squared = std::ldexp(1.0 + random.unit(), random.between(-1022, 1023));
+    const double rho_squared = random.of_magnitude(-1022, 1023);
     const double steps = 128.0 * std::log2(rho_squared);
     const bool close = !(std::abs(steps - std::floor(steps) - 0.5) > 1e-6);
     wrong += lambda_fx8(rho_squared) != (close ? test::exact_lambda_fx8(mpq_class(rho_squared)) : std::lround(steps));
