@@ -53,9 +53,9 @@ TEST(DrawPixels, SubPixelsAreTakenAsTheyAre) {
   // 128/256 is the first pixel's centre: a corner there, with the top and left edges through it, covers it.
   const std::string triangle = R"("draws": [{"triangles": [[128,128,0.5], [128,640,0.5], [640,128,0.5]]}]})";
   EXPECT_EQ(printed(R"({"size": [3, 3], "unit": "1/256", )" + triangle), "\nAA.\nA..\n...\n");
-  // One sub-pixel further right the left edge has passed it.
-  const std::string moved = R"("draws": [{"triangles": [[129,128,0.5], [129,640,0.5], [640,128,0.5]]}]})";
-  EXPECT_EQ(printed(R"({"size": [3, 3], "unit": "1/256", )" + moved), "\n.A.\n...\n...\n");
+  // One sub-pixel further right: the left edge has passed column 0, the slanted one (1, 1) and (2, 0).
+  const std::string moved = R"("draws": [{"triangles": [[129,128,0.5], [129,640,0.5], [641,128,0.5]]}]})";
+  EXPECT_EQ(printed(R"({"size": [3, 3], "unit": "1/256", )" + moved), "\n.AA\n.A.\n...\n");
 }
 
 TEST(DrawPixels, LinesLeaveTheirLastDiamond) {
