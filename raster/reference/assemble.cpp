@@ -281,6 +281,10 @@ class DrawAssembler {
   void add_surfel(std::uint32_t i) {
     ++out_.stats.primitives_in;
     const auto& object = std::get<ObjectVertices>(draw_.vertices);
+    if (has_nan(object.positions[i], draw_.normals[i])) {
+      ++out_.stats.primitives_not_finite;
+      return;
+    }
     const Rect viewport = frame_.viewport.value_or(Rect{{0, 0}, target_size_px_});
     const std::optional<Surfel> surfel = make_surfel(object.positions[i], draw_.normals[i], draw_.radii[i],
                                                      object.clip_from_object, viewport.origin_px, viewport.size_px);

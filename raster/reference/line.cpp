@@ -16,12 +16,6 @@ struct Turned {
 };
 Turned turn(glm::ivec2 p) { return {std::int64_t(p.x) + p.y, std::int64_t(p.x) - p.y}; }
 
-/// ⌊n / d⌋ for d ≠ 0.
-std::int64_t floor_divide(std::int64_t n, std::int64_t d) {
-  const std::int64_t q = n / d;
-  return q * d != n && (n < 0) != (d < 0) ? q - 1 : q;
-}
-
 /// Moving the segment by (−ε, −ε²) is moving the diamonds by (+ε, +ε²): by ε + ε² in u and ε − ε² in v, both
 /// positive. So low sides become inclusive for diamonds and exclusive for points, high sides the reverse.
 bool point_in_diamond(Turned p, Turned s) {
@@ -88,11 +82,12 @@ bool exits_diamond(const Line& line, glm::ivec2 p_fx8) {
 
 std::optional<glm::ivec2> fragment_in_column(const Line& line, int major, int column, glm::ivec2 sample_fx8) {
   // A line no steeper than 45° that misses a diamond on the middle of its column misses all of it. So the only
-  // candidate is the row in which the line crosses the column's middle; exactly between two rows, ε decides.
+  // candidate is the row in which the line crosses the column's middle. It is this row or the one before: the
+  // division rounds towards 0, so up where it is negative; and exactly between two rows ε decides.
   const int minor = 1 - major;
   const glm::ivec2 d = line.b_fx8 - line.a_fx8;
   const std::int64_t along = std::int64_t(column) * 256 + sample_fx8[major] - line.a_fx8[major];
-  const std::int64_t crossing = line.a_fx8[minor] + floor_divide(along * d[minor], d[major]);
+  const std::int64_t crossing = line.a_fx8[minor] + along * d[minor] / d[major];
   const int row = int((crossing - sample_fx8[minor] + kHalf_fx8) >> 8);
   for (const int candidate : {row, row - 1}) {
     glm::ivec2 pixel;

@@ -28,6 +28,13 @@ TEST(PointCoverage, ASquareHasItsLeftAndTopSideButNotItsRightAndBottomOne) {
 )");
 }
 
+TEST(PointCoverage, TheTestOfASampleKnowsTheSidesByItself) {
+  const Square s{{512, 512}, 768, 0.5};  // from 128 to 896
+  EXPECT_TRUE(covers(s, {128, 128}));
+  EXPECT_TRUE(covers(s, {895, 895}));
+  for (const glm::ivec2 outside : {glm::ivec2{127, 500}, {500, 127}, {896, 500}, {500, 896}}) EXPECT_FALSE(covers(s, outside));
+}
+
 TEST(PointCoverage, OneSubPixelMoreOrLessMovesASide) {
   EXPECT_EQ(picture_of(Square{{513, 512}, 768, 0.5}, {5, 4}), "\n.###.\n.###.\n.###.\n.....\n");
   EXPECT_EQ(picture_of(Square{{511, 511}, 768, 0.5}, {5, 4}), "\n###..\n###..\n###..\n.....\n");

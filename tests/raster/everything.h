@@ -25,7 +25,7 @@ inline void add_everything(Scene& scene) {
   const auto unit = [&] { return float(numbers.unit()); };
   const auto random_colors = [&](std::size_t n) {
     std::vector<glm::vec4> colors;
-    for (std::size_t i = 0; i < n; ++i) colors.push_back(glm::vec4(unit(), unit(), unit(), unit()) * full);
+    for (std::size_t i = 0; i < n; ++i) colors.push_back(glm::vec4{unit(), unit(), unit(), unit()} * full);
     return scene.keep(std::move(colors));
   };
   const auto random_uvs = [&](std::size_t n) {
@@ -40,7 +40,7 @@ inline void add_everything(Scene& scene) {
     return p;
   };
   std::vector<glm::u8vec4> texels;
-  for (int i = 0; i < 8 * 5; ++i) texels.push_back(glm::u8vec4(glm::uvec4(numbers.below(256), numbers.below(256), numbers.below(256), i % 3 == 0 ? 40u : 255u)));
+  for (int i = 0; i < 8 * 5; ++i) texels.push_back(glm::u8vec4(glm::uvec4{numbers.below(256), numbers.below(256), numbers.below(256), i % 3 == 0 ? 40u : 255u}));
   const Texture* texture = &scene.keep(std::vector<Texture>{make_raw_texture({8, 5}, texels, Mips::all)})[0];
 
   Draw& ground = scene.object(Topology::quads, {{-9, -1, 3}, {9, -1, 3}, {30, -1, -80}, {-30, -1, -80}}, perspective(0.1));
@@ -84,7 +84,7 @@ inline void add_everything(Scene& scene) {
   discs.blend = Blend::add;
   discs.color = glm::vec4(0.5f) * full;
 
-  Draw& surfels = scene.object(Topology::surfels, {{-1, 0, -4}, {0, 0.5f, -3}, {1, -0.5f, -6}, {0.5f, 0.5f, -2}}, perspective(1.9));
+  Draw& surfels = scene.object(Topology::surfels, {{-1, 0, -4}, {0, 0.5f, -3.6f}, {1, -0.5f, -6}, {0.5f, 0.5f, -5}}, perspective(3.5));
   surfels.normals = scene.keep<glm::vec3>({{0, 0, 1}, {1, 1, 1}, {0, 1, 0.2f}, {0, 0, 0}});
   surfels.radii = scene.keep<float>({0.5f, 0.4f, 1.5f, 1.0f});
   surfels.colors = random_colors(4);

@@ -248,6 +248,19 @@ TEST(LineStipple, GoesOnAlongAStrip) {
 )");
 }
 
+TEST(LineStipple, ABitGoesOnAcrossAJoint) {
+  // Factor 3, every second bit, in pieces of four fragments: ###...###...
+  std::uint64_t n = 0;
+  Pixels pixels;
+  for (int x = 0; x < 12; x += 4) {
+    Line line = centre_line({x, 0}, {x + 4, 0});
+    line.stipple = LineStipple{{0x5555, 3}, n};
+    n += fragment_count(line, kCentre);
+    add_covered(pixels, line, {{0, 0}, {12, 1}});
+  }
+  EXPECT_EQ(picture(pixels, {12, 1}), "\n###...###...\n");
+}
+
 TEST(LineStipple, AndCoverageDoNotDependOnTheWindow) {
   for (std::uint64_t i = 0; i < 500; ++i) {
     const CounterRandom random{13, i};
