@@ -114,7 +114,7 @@ struct Picture {
   const std::uint32_t blended = random.below(2);
   if (blended) picture.draws.back().blend = Blend::over;
   const Image before = rendered(frame_of(picture.draws), picture.size_px, workers_and_tiles(1, 256));
-  const RenderOptions other = workers_and_tiles(random.below(8) == 0 ? random.between(2, 5) : 1, 8 << random.below(4));
+  const RenderOptions other = workers_and_tiles(random.below(64) == 0 ? random.between(2, 5) : 1, 8 << random.below(4));
   return differing_pixels(before, rendered(frame_of(picture.draws), picture.size_px, other));
 }
 
