@@ -45,7 +45,8 @@ struct Probes {
 };
 
 /// n = min(⌈ρmax/ρmin⌉, max_anisotropy), λ = log2(ρmax/n). n is the smallest with n² · ρmin² ≥ ρmax²: the maximum
-/// where only ρmin is 0, 1 where both are. Of two equal lengths, x is the major one.
+/// where only ρmin is 0, 1 where both are. Of two equal lengths, x is the major one. Both are decided on the squares
+/// as double has them.
 ///   max_anisotropy   clamped to 1…16
 [[nodiscard]] Probes anisotropic_probes(const Footprint& footprint, const glm::ivec2& size_px, int max_anisotropy);
 

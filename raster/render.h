@@ -17,7 +17,7 @@ inline constexpr int kPixelContract = 1;
 struct RenderOptions {
   int threads = 0;         ///< 0: one per processor; at most 256 are used
   int tile_size_px = 64;   ///< 8…256, a power of two; counters depend on it
-  std::span<DrawStats> per_draw;  ///< empty, or one element a draw, overwritten
+  std::span<DrawStats> per_draw = {};  ///< empty, or one element a draw, overwritten
   bool ids_from_ordered_draws = false;  ///< draws that write no depth leave their ids too (for `draw --print`)
 };
 

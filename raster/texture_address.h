@@ -61,10 +61,8 @@ struct TexelPair {
   switch (wrap) {
     case Wrap::repeat:
       return u - std::trunc(u);
-    case Wrap::mirror: {
-      const double distance = std::abs(u - 2.0 * std::trunc(u * 0.5));  // from the nearest even number below
-      return distance > 1.0 ? 2.0 - distance : distance;
-    }
+    case Wrap::mirror:
+      return std::abs(u - 2.0 * std::rint(u * 0.5));  // the distance from the nearest even number
     case Wrap::clamp:
       return std::clamp(u, 0.0, 1.0);
     case Wrap::border:
@@ -93,10 +91,7 @@ struct TexelPair {
 [[nodiscard]] inline TexelPair linear_texels(double u, std::int32_t size_px, Wrap wrap) {
   const std::int32_t size_fx8 = size_px * 256;
   std::int32_t x_fx8 = rounded_product(wrapped_coordinate(u, wrap), size_fx8);
-  if (wrap == Wrap::repeat) {  // modulo the width: into [0, size)
-    if (x_fx8 < 0) x_fx8 += size_fx8;
-    if (x_fx8 >= size_fx8) x_fx8 -= size_fx8;
-  }
+  if (x_fx8 < 0 && wrap == Wrap::repeat) x_fx8 += size_fx8;  // into [0, size]; both ends have the same neighbours
   const std::int32_t from_centre_fx8 = x_fx8 - 128;
   const std::int32_t first = from_centre_fx8 >> 8;  // arithmetic shift: floor
   return {wrapped_texel(first, size_px, wrap), wrapped_texel(first + 1, size_px, wrap), from_centre_fx8 & 255};

@@ -30,7 +30,8 @@ void check_rect(const std::optional<Rect>& rect, const char* what, int limit) {
   if (!rect) return;
   const glm::ivec2 o = rect->origin_px, s = rect->size_px;
   if (s.x < 0 || s.y < 0) throw Error(ErrorKind::bad_input, "%s: size %d x %d, expected 0 or more", what, s.x, s.y);
-  if (limit > 0 && (s.x > limit || s.y > limit || std::abs(o.x) > limit || std::abs(o.y) > limit)) {
+  const auto beyond = [limit](int origin) { return origin < -limit || origin > limit; };  // abs(INT_MIN) is undefined
+  if (limit > 0 && (s.x > limit || s.y > limit || beyond(o.x) || beyond(o.y))) {
     throw Error(ErrorKind::bad_input, "%s: %d x %d at (%d, %d), expected at most %d", what, s.x, s.y, o.x, o.y, limit);
   }
 }

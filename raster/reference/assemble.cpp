@@ -93,13 +93,19 @@ class DrawAssembler {
   static constexpr std::uint32_t kMaxFan = 64;  // pieces of the second triangle of a quad are numbered from here
 
   template <class T>
+  static Shape stored(const T& shape) {
+    return shape;
+  }
+  static Shape stored(const Surfel& surfel) { return std::make_unique<const Surfel>(surfel); }
+
+  template <class T>
   void push(const T& shape, std::uint32_t number, const std::array<std::uint32_t, 3>& vertices, int n_vertices,
             bool front_facing = true) {
     const Ids ids = {draw_.draw_id.value_or(draw_index_), draw_.primitive_id.value_or(primitive_)};
     const PixelBox bounds = intersect(bounds_over_samples(shape, frame_), limits_);
     ++out_.stats.pieces;
     if (bounds.empty()) return;
-    out_.pieces.push_back({shape, bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
+    out_.pieces.push_back({stored(shape), bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
   }
 
   [[nodiscard]] bool not_finite(const glm::dvec3& p) {
@@ -240,7 +246,8 @@ class DrawAssembler {
     }
     if (draw_.stipple) {
       line->stipple = LineStipple{*draw_.stipple, strip_fragments_};
-      if (draw_.topology == Topology::line_strip) strip_fragments_ += fragment_count(*line, frame_.samples_fx8[0]);
+      // At pixel centres, so that a sample's picture does not depend on which other samples the frame has.
+      if (draw_.topology == Topology::line_strip) strip_fragments_ += fragment_count(*line, kCentreSample_fx8[0]);
     }
     push(*line, 0, {a, b, b}, 2);
   }
@@ -280,6 +287,10 @@ class DrawAssembler {
   void add_surfel(std::uint32_t i) {
     ++out_.stats.primitives_in;
     const auto& object = std::get<ObjectVertices>(draw_.vertices);
+    if (has_nan(object.positions[i], draw_.normals[i])) {
+      ++out_.stats.primitives_not_finite;
+      return;
+    }
     const Rect viewport = frame_.viewport.value_or(Rect{{0, 0}, target_size_px_});
     const std::optional<Surfel> surfel = make_surfel(object.positions[i], draw_.normals[i], draw_.radii[i],
                                                      object.clip_from_object, viewport.origin_px, viewport.size_px);
@@ -327,7 +338,7 @@ Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) 
   for (Assembly& part : parts) {  // in chunk order
     all.stats += part.stats;
     std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(all.pieces));
-    part.pieces = {};
+    part.pieces = std::vector<Piece>();
   }
   return all;
 }

@@ -43,7 +43,6 @@ RowBins bin_rows(const std::vector<Piece>& pieces, std::size_t n_rows, int tile_
 
 FrameStats render_reference(const Frame& frame, Image& image, const RenderOptions& options) {
   const glm::ivec2 size = image.size_px;
-  if (size.x == 0 || size.y == 0) return {};
   const int tile = options.tile_size_px;
   const std::size_t n_columns = std::size_t((size.x + tile - 1) / tile), n_rows = std::size_t((size.y + tile - 1) / tile);
   const std::size_t n_tiles = n_columns * n_rows;

@@ -68,8 +68,8 @@ void write_srgb() {
 
 void write_level_of_detail() {
   write_header(
-      "/// kLog2Threshold[k] = 2^((k + ½)/128), rounded to double: the bounds between the 128 steps that\n"
-      "/// round(128 · log2(m)) makes of m in [1, 2).\n");
+      "/// kLog2Threshold[k]: the smallest double that is at least 2^((k + ½)/128), k = 0…127: the bounds between the\n"
+      "/// 129 steps that round(128 · log2(m)) makes of m in [1, 2).\n");
   std::printf("namespace lode::raster {\n\ninline constexpr double kLog2Threshold[128] = {\n");
   mpfr_t v;
   mpfr_init2(v, kPrecision_bits);
@@ -77,7 +77,7 @@ void write_level_of_detail() {
     mpfr_set_ui(v, 2 * k + 1, MPFR_RNDN);
     mpfr_div_ui(v, v, 256, MPFR_RNDN);
     mpfr_exp2(v, v, MPFR_RNDN);
-    std::printf("%s%a,%s", k % 4 == 0 ? "    " : " ", mpfr_get_d(v, MPFR_RNDN), k % 4 == 3 ? "\n" : "");
+    std::printf("%s%a,%s", k % 4 == 0 ? "    " : " ", mpfr_get_d(v, MPFR_RNDU), k % 4 == 3 ? "\n" : "");
   }
   std::printf("};\n\n}  // namespace lode::raster\n");
   mpfr_clear(v);

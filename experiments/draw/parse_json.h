@@ -1,0 +1,18 @@
+#pragma once
+/// JSON text to a document, for files that people write by hand or that are hostile: syntax errors give line
+/// and column; a key twice in one object and nesting deeper than any picture needs are errors too, not
+/// silently dropped or followed down.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace lode::experiments {
+
+/// Deepest nesting accepted. A picture has six levels: {draws: [{discs: [{center: [x]}]}]}.
+inline constexpr int kMaxJsonDepth = 32;
+
+/// The document. `name` is what errors call the text. Throws Error (bad_input).
+[[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::string& name);
+
+}  // namespace lode::experiments
