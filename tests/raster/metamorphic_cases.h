@@ -114,7 +114,8 @@ struct Picture {
   const std::uint32_t blended = random.below(2);
   if (blended) picture.draws.back().blend = Blend::over;
   const Image before = rendered(frame_of(picture.draws), picture.size_px, workers_and_tiles(1, 256));
-  const RenderOptions other = workers_and_tiles(random.below(64) == 0 ? random.between(2, 5) : 1, 8 << random.below(4));
+  const int threads = random.below(64) == 0 ? random.between(2, 5) : 1;
+  const RenderOptions other = workers_and_tiles(threads, 8 << random.below(4));
   return differing_pixels(before, rendered(frame_of(picture.draws), picture.size_px, other));
 }
 
@@ -221,7 +222,8 @@ struct Picture {
   std::vector<glm::dvec3> here, moved;
   std::vector<glm::vec4> colors;
   for (int i = 0; i < n; ++i) {
-    const glm::dvec2 p = glm::dvec2(random_point_fx8(random, 24) * 16 + glm::ivec2(random.between(-8, 8))) / 4096.0;
+    const glm::ivec2 grid = 16 * random_point_fx8(random, 24);  // of 1/4096 px
+    const glm::dvec2 p = glm::dvec2(grid + glm::ivec2(random.between(-8, 8))) / 4096.0;
     here.emplace_back(p, random.unit());
     moved.emplace_back(p + glm::dvec2(by), here.back().z);
     const float r = float(random.unit()), g = float(random.unit());

@@ -75,15 +75,16 @@ inline const mpq_class kSnapBound_fx8 = mpq_class(1, 2) + mpq_class(1, 1 << 12);
 
 /// ±m · 2^e, e from low to high.
 [[nodiscard]] inline double random_number(HashedNumbers& random, int low, int high) {
-  const double m = 1.0 + random.unit();
-  return std::ldexp(random.below(2) == 0 ? m : -m, random.between(low, high));
+  const double m = random.of_magnitude(low, high);
+  return random.below(2) == 0 ? m : -m;
 }
 
 /// Inside all planes: w from 2^-100 to 2^100 or of the order of 1, the window position all over the guard band, at
 /// times a tie or just beside one.
 [[nodiscard]] inline glm::dvec4 random_inside(HashedNumbers& random, const reference::Viewport& v) {
   for (;;) {
-    const double w = std::abs(random_number(random, random.below(2) == 0 ? -10 : -100, random.below(2) == 0 ? 10 : 100));
+    const int spread = random.below(2) == 0 ? 10 : 100;
+    const double w = random.of_magnitude(-spread, spread);
     const auto coordinate = [&](double centre, double half) {
       const double place = 2.0 * random.unit() - 1.0;
       double window = random.below(2) == 0 ? reference::kGuard_fx8 * place : centre + 1.5 * half * place;

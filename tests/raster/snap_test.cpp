@@ -118,7 +118,8 @@ TEST(Clip, EndsEquallyFarFromThePlaneAreTakenInLexicographicOrder) {
     const double d = std::ldexp(double(random.between(1, 1000)), -10);
     a.z = 3.0 - d;  // exactly representable: w − z = ±d
     b.z = 2.0 + d;
-    n_wrong += !same_from_both_sides(random, v, a, b, random_clip_point(random, 2), random_clip_point(random, 2));
+    const glm::dvec4 c = random_clip_point(random, 2), e = random_clip_point(random, 2);
+    n_wrong += !same_from_both_sides(random, v, a, b, c, e);
   }
   EXPECT_EQ(n_wrong, 0);
 }
