@@ -35,7 +35,7 @@ TEST(NanInAPosition, DiscardsItsPrimitiveAloneInEverySpaceTopologyVertexAndCompo
           for (std::size_t i = 0; i < 2 * n; ++i) p.push_back({i % n == 1 || i % n == 2 ? 0.9 : -0.7, i % n >= 2 ? 0.9 : -0.6, 0.5, 1});
           for (std::size_t i = 0; i < n; ++i) p[i].x += 50.0;
           p[vertex][component] = kNan;
-          Scene scene({8, 8});
+          SmallScene scene({8, 8});
           std::vector<glm::dvec3> window;
           std::vector<glm::vec3> object;
           for (const glm::dvec4& q : p) {
@@ -59,10 +59,10 @@ TEST(NanInAPosition, DiscardsItsPrimitiveAloneInEverySpaceTopologyVertexAndCompo
 }
 
 TEST(NanInAPosition, OfALineStripDiscardsTheTwoSegmentsThatShareIt) {
-  Scene scene({9, 1});
-  scene.window(Topology::line_strip, {{0, 0.5, 0}, {3, 0.5, 0}, {kNan, 0.5, 0}, {6, 0.5, 0}, {9, 0.5, 0}});
-  EXPECT_EQ(scene.render().primitives_not_finite, 2u);
-  EXPECT_EQ(ids_picture(scene.image), "AAA...AAA\n");
+  SmallScene scene({9, 1});
+  scene.window(Topology::line_strip, {{0.5, 0.5, 0}, {3.5, 0.5, 0}, {kNan, 0.5, 0}, {5.5, 0.5, 0}, {8.5, 0.5, 0}});
+  EXPECT_EQ(scene.render().primitives_not_finite, 2u);  // a segment's last pixel belongs to the next one
+  EXPECT_EQ(ids_picture(scene.image), "AAA..AAA.\n");
 }
 
 // ---- Infinities, the largest numbers, zeros, denormals ------------------------------------------------------------
@@ -70,14 +70,14 @@ TEST(NanInAPosition, OfALineStripDiscardsTheTwoSegmentsThatShareIt) {
 // Corners at (−L, −L), (L, −L), (0, L): seen from any picture this is everything, if L is large. All depths are ½.
 TEST(HugePositions, CoverTheWholePictureAtTheRightDepth) {
   for (const double l : {1e4, 1e9, double(kMaxF), 1e200, std::numeric_limits<double>::max(), kInf}) {
-    Scene scene({16, 8});
+    SmallScene scene({16, 8});
     scene.clip(Topology::triangles, {{-l, -l, 0.5, 1}, {l, -l, 0.5, 1}, {0, l, 0.5, 1}});
     scene.render();
     EXPECT_TRUE(is_full(scene.image)) << l;
     for (const float depth : scene.image.depth) ASSERT_EQ(depth, 0.5f) << l;
   }
   for (const float l : {1e4f, 1e9f, kMaxF, kInfF}) {
-    Scene scene({16, 8});
+    SmallScene scene({16, 8});
     glm::dmat4 flat(1.0);  // z becomes ½
     flat[2][2] = 0.0;
     flat[3][2] = 0.5;
@@ -90,7 +90,7 @@ TEST(HugePositions, CoverTheWholePictureAtTheRightDepth) {
 
 TEST(HugePositions, OfALineAreClippedToWhereItPasses) {
   for (const double l : {1e4, double(kMaxF), kInf}) {
-    Scene scene({6, 3});
+    SmallScene scene({6, 3});
     scene.clip(Topology::lines, {{-l, 0, 0.5, 1}, {l, 0, 0.5, 1}});
     scene.render();
     EXPECT_EQ(ids_picture(scene.image), "......\nAAAAAA\n......\n") << l;
@@ -100,7 +100,7 @@ TEST(HugePositions, OfALineAreClippedToWhereItPasses) {
 TEST(ZerosAndDenormals, AreNumbersLikeOthers) {
   // Every 0 of these corners may be −0 or the least number of either sign: less than any snap can see.
   const auto picture_with = [](double zero) {
-    Scene scene({8, 8}, ColorFormat::rgba32f);
+    SmallScene scene({8, 8}, ColorFormat::rgba32f);
     scene.clip(Topology::triangles, {{-1, zero, 0.5, 1}, {1, zero, 0.5, 1}, {zero, 1, 0.5, 1}});
     scene.window(Topology::triangles, {{zero, zero, 0.25}, {8, zero, 0.25}, {zero, 3, 0.25}});
     scene.window(Topology::lines, {{zero, 5, 0.25}, {8, 7, 0.25}});
@@ -115,7 +115,7 @@ TEST(ZerosAndDenormals, AreNumbersLikeOthers) {
 // ---- w ------------------------------------------------------------------------------------------------------------
 
 TEST(W, OfZeroAtAllVerticesIsOutside) {
-  Scene scene({4, 4});
+  SmallScene scene({4, 4});
   scene.clip(Topology::triangles, {{-1, -1, 0, 0}, {1, -1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
   scene.clip(Topology::lines, {{-1, -1, 0, 0}, {1, 1, 0, 0}});
   scene.clip(Topology::points, {{0, 0, 0, 0}});
@@ -124,7 +124,7 @@ TEST(W, OfZeroAtAllVerticesIsOutside) {
 }
 
 TEST(W, NegativeAtAllVerticesIsOutside) {
-  Scene scene({4, 4});
+  SmallScene scene({4, 4});
   scene.clip(Topology::triangles, {{-1, -1, -2, -1}, {1, -1, -2, -1}, {0, 1, -2, -1}});
   EXPECT_EQ(scene.render().primitives_outside, 1u);
   EXPECT_TRUE(is_empty(scene.image));
@@ -132,7 +132,7 @@ TEST(W, NegativeAtAllVerticesIsOutside) {
 
 // A corner at infinity, straight up: what is seen is the strip |x| ≤ 1 above y = −1, the whole picture. Depth 0.
 TEST(W, OfZeroAtOneVertexIsADirection) {
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   scene.clip(Topology::triangles, {{-1, -1, 0, 1}, {1, -1, 0, 1}, {0, 1, 0, 0}});
   EXPECT_EQ(scene.render().primitives_clipped, 1u);
   EXPECT_TRUE(is_full(scene.image));
@@ -141,7 +141,7 @@ TEST(W, OfZeroAtOneVertexIsADirection) {
 // The third corner is the point (0, −3) seen from behind (all signs turned): the triangle runs from the picture's lower
 // edge away from it, upwards and widening: all of the picture. Seen with w > 0 it would be below the picture.
 TEST(W, NegativeAtOneVertexTurnsTheTriangleInsideOut) {
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   scene.clip(Topology::triangles, {{-1, -1, 0.25, 1}, {1, -1, 0.25, 1}, {0, 3, -0.25, -1}});
   scene.render();
   EXPECT_TRUE(is_full(scene.image));
@@ -150,7 +150,7 @@ TEST(W, NegativeAtOneVertexTurnsTheTriangleInsideOut) {
 
 TEST(W, OfAnySizeAboveTheSmallestFloatGivesTheSamePicture) {
   const auto picture_with = [](double w) {
-    Scene scene({8, 8});
+    SmallScene scene({8, 8});
     scene.clip(Topology::triangles, {{-w, -0.5 * w, 0.25 * w, w}, {w, -w, 0.5 * w, w}, {0.25 * w, w, 0.75 * w, w}});
     scene.render();
     return scene.image;
@@ -164,7 +164,7 @@ TEST(W, OfAnySizeAboveTheSmallestFloatGivesTheSamePicture) {
 // ---- No area ------------------------------------------------------------------------------------------------------
 
 TEST(NoArea, DrawsNothingAndIsCounted) {
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   scene.clip(Topology::triangles, {{0.1, 0.2, 0.5, 1}, {0.1, 0.2, 0.5, 1}, {0.1, 0.2, 0.5, 1},   // one point
                                    {-1, -1, 0.5, 1}, {0, 0, 0.5, 1}, {1, 1, 0.5, 1},             // collinear
                                    {-0.5, 0, 0.5, 1}, {0.5, 0, 0.5, 1}, {0, 1e-4, 0.5, 1}});     // none after the snap
@@ -177,7 +177,7 @@ TEST(NoArea, DrawsNothingAndIsCounted) {
 
 TEST(CoplanarTriangles, InOnePlaceGoToTheLowerKeyEverywhere) {
   // The same triangle twice, the second with its corners turned: equal depth at every sample, sloped as it is.
-  Scene scene({32, 32});
+  SmallScene scene({32, 32});
   const std::vector<glm::dvec3> p = {{1.3, 2.1, 0.137}, {30.2, 7.9, 0.911}, {11.1, 29.7, 0.433}};
   scene.window(Topology::triangles, {p[0], p[1], p[2], p[1], p[2], p[0]});
   const FrameStats stats = scene.render();
@@ -190,7 +190,7 @@ TEST(CoplanarTriangles, InOnePlaceGoToTheLowerKeyEverywhere) {
 constexpr std::size_t kLayers = 100'000;
 
 /// All in one draw: a triangle that covers the 8×8 picture, again and again.
-Draw& add_layers(Scene& scene) {
+Draw& add_layers(SmallScene& scene) {
   Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.5}, {16, 0, 0.5}, {0, 16, 0.5}});
   std::vector<std::uint32_t> indices(3 * kLayers);
   for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = std::uint32_t(i % 3);
@@ -199,7 +199,7 @@ Draw& add_layers(Scene& scene) {
 }
 
 TEST(CoincidentLayers, GoToTheLowestKey) {
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   add_layers(scene);
   const FrameStats stats = scene.render();
   EXPECT_EQ(stats.fragments_covered, 64 * kLayers);
@@ -208,7 +208,7 @@ TEST(CoincidentLayers, GoToTheLowestKey) {
 }
 
 TEST(CoincidentLayers, AreAllBlended) {
-  Scene scene({4, 2}, ColorFormat::rgba32f);
+  SmallScene scene({4, 2}, ColorFormat::rgba32f);
   Draw& draw = add_layers(scene);
   draw.blend = Blend::add;
   draw.color = glm::vec4(0x1p-17f, 1.0f, 3.0f, 0.0f);  // sums of whole multiples below 2^24 are exact
@@ -220,12 +220,12 @@ TEST(CoincidentLayers, AreAllBlended) {
 // ---- Nothing to draw, odd targets ---------------------------------------------------------------------------------
 
 TEST(NoPrimitives, LeaveTheClear) {
-  Scene nothing({3, 3});
+  SmallScene nothing({3, 3});
   nothing.frame.clear = kRed;
   nothing.render();
   EXPECT_EQ(nothing.image.rgba8, std::vector<glm::u8vec4>(9, glm::u8vec4(kRed)));
   for (const Topology topology : kTopologies) {
-    Scene scene({3, 3});
+    SmallScene scene({3, 3});
     scene.object(topology, {});
     scene.frame.clear = kRed;
     EXPECT_EQ(scene.render().primitives_in, 0u);
@@ -235,9 +235,9 @@ TEST(NoPrimitives, LeaveTheClear) {
 }
 
 TEST(Targets, WithoutPixelsTakeAnyFrame) {
-  for (const glm::ivec2 size : {glm::ivec2{0, 0}, {0, 7}, {7, 0}, {0, 32768}}) {
+  for (const glm::ivec2 size : {glm::ivec2{0, 0}, {0, 7}, {7, 0}, {0, 20000}}) {
     for (const int threads : {1, 3}) {
-      Scene scene(size, ColorFormat::rgba32f);
+      SmallScene scene(size, ColorFormat::rgba32f);
       add_everything(scene);
       EXPECT_EQ(scene.render({.threads = threads}).fragments_covered, 0u);
     }
@@ -247,7 +247,7 @@ TEST(Targets, WithoutPixelsTakeAnyFrame) {
 // Column by column or row by row a long target is like any other: a diagonal line and a rectangle at its far end.
 TEST(Targets, OfOnePixelsWidthOrHeightAreDrawnToTheirEnds) {
   for (const glm::ivec2 size : {glm::ivec2{1, 16384}, {16384, 1}, {1, 32768}, {32768, 1}, {1, 1}}) {
-    Scene scene(size);
+    SmallScene scene(size);
     scene.rect(size - 1, size, 0.5, kRed);
     scene.clip(Topology::triangles, {{-1, -1, 0.25, 1}, {3, -1, 0.25, 1}, {-1, 3, 0.25, 1}});
     scene.render();
@@ -257,7 +257,7 @@ TEST(Targets, OfOnePixelsWidthOrHeightAreDrawnToTheirEnds) {
 }
 
 TEST(Targets, WithoutAnyPlaneStillCount) {
-  Scene scene({4, 4}, ColorFormat::rgba8, {.color = false, .depth = false, .ids = false});
+  SmallScene scene({4, 4}, ColorFormat::rgba8, {.color = false, .depth = false, .ids = false});
   scene.rect({0, 0}, {4, 4}, 0.5, kRed);
   EXPECT_EQ(scene.render().fragments_covered, 16u);
 }
@@ -271,7 +271,7 @@ TEST(Textures, OfAnySizeWithOrWithoutMipsStayConstantIfTheyAre) {
       for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear, Filter::anisotropic}) {
         Texture texture = make_raw_texture(size, texels, mips);
         if (mips == Mips::all && texture.levels.size() > 2) texture.levels.pop_back();  // the chain ends early
-        Scene scene({8, 8});
+        SmallScene scene({8, 8});
         Draw& draw = scene.rect({0, 0}, {8, 8}, 0.5, {255, 255, 255, 255});
         draw.uvs = scene.keep<glm::vec2>({{-5, 0}, {90, 3}, {70, 1000}, {-30, 90}});
         draw.texture = &texture;
@@ -287,7 +287,7 @@ TEST(Textures, AreReadAtZeroWhereTheirCoordinateIsNotFinite) {
   const std::vector<glm::u8vec4> texels = {{10, 20, 30, 255}, {90, 90, 90, 255}};
   const Texture texture = make_raw_texture({2, 1}, texels, Mips::all);
   for (const float u : {kNanF, kInfF, -kInfF}) {
-    Scene scene({4, 4});
+    SmallScene scene({4, 4});
     Draw& draw = scene.rect({0, 0}, {4, 4}, 0.5, {255, 255, 255, 255});
     draw.uvs = scene.keep(std::vector<glm::vec2>(4, {u, 0.5f}));
     draw.texture = &texture;
@@ -302,7 +302,7 @@ TEST(Textures, AreReadAtZeroWhereTheirCoordinateIsNotFinite) {
 TEST(PointsAndDiscs, OfNoSizeDrawNothingAndHugeOnesEverything) {
   for (const Topology topology : {Topology::points, Topology::discs}) {
     for (const float size : {kNanF, 0.0f, -0.0f, -1.0f, -kInfF, kTinyF, 1e-30f, 1e9f, 1e30f, kMaxF, kInfF}) {
-      Scene scene({6, 4});
+      SmallScene scene({6, 4});
       Draw& draw = scene.window(topology, {{2.5, 1.5, 0.5}});
       draw.point_size_px = size;
       draw.radii = scene.keep<float>({size});
@@ -315,19 +315,19 @@ TEST(PointsAndDiscs, OfNoSizeDrawNothingAndHugeOnesEverything) {
 // Seen along its normal from 2 away, with the near plane at 1: radius r covers a disc of r/2 in clip space.
 TEST(Surfels, OfNoSizeDrawNothingAndHugeOnesEverything) {
   for (const float radius : {kNanF, 0.0f, -1.0f, -kInfF, kTinyF, 1e30f, kMaxF, kInfF}) {
-    Scene scene({6, 4});
+    SmallScene scene({6, 4});
     Draw& draw = scene.object(Topology::surfels, {{0, 0, -2}}, perspective(1.0));
     draw.normals = scene.keep<glm::vec3>({{0, 0, 1}});
     draw.radii = scene.keep<float>({radius});
     scene.render();
     EXPECT_TRUE(radius > 1.0f ? is_full(scene.image) : is_empty(scene.image)) << radius;
-    if (radius > 1.0f) EXPECT_EQ(scene.image.depth[0], 0.5f) << radius;
+    EXPECT_EQ(scene.image.depth[0], radius > 1.0f ? 0.5f : 0.0f) << radius;
   }
 }
 
 TEST(Surfels, WithNormalsOfNoDirectionOrAcrossTheViewDrawNothing) {
   for (const glm::vec3 normal : {glm::vec3{0, 0, 0}, {-0.0f, 0, -0.0f}, {kNanF, 0, 1}, {0, kNanF, 0}, {1, 0, 0}, {0, kTinyF, 0}, {kMaxF, 0, 0}}) {
-    Scene scene({6, 4});
+    SmallScene scene({6, 4});
     Draw& draw = scene.object(Topology::surfels, {{0, 0, -2}}, perspective(1.0));
     draw.normals = scene.keep<glm::vec3>({normal});
     draw.radii = scene.keep<float>({1.0f});
@@ -338,7 +338,7 @@ TEST(Surfels, WithNormalsOfNoDirectionOrAcrossTheViewDrawNothing) {
 
 TEST(Surfels, WithNormalsOfAnyLengthAreTheSame) {
   const auto picture_with = [](float length) {
-    Scene scene({16, 16});
+    SmallScene scene({16, 16});
     Draw& draw = scene.object(Topology::surfels, {{0.1f, 0, -2}}, perspective(1.0));
     draw.normals = scene.keep<glm::vec3>({{0, length, length}});
     draw.radii = scene.keep<float>({0.75f});
@@ -353,8 +353,8 @@ TEST(Surfels, WithNormalsOfAnyLengthAreTheSame) {
 // ---- Matrices -----------------------------------------------------------------------------------------------------
 
 /// Every topology through one matrix.
-Scene through(const glm::dmat4& matrix) {
-  Scene scene({8, 8});
+SmallScene through(const glm::dmat4& matrix) {
+  SmallScene scene({8, 8});
   for (const Topology topology : kTopologies) {
     Draw& draw = scene.object(topology, std::vector<glm::vec3>(12, glm::vec3(0.1f, 0.2f, -2.0f)), matrix);
     std::vector<glm::vec3> positions;
@@ -381,7 +381,7 @@ TEST(Matrices, ThatAreNotFiniteDrawNothing) {
   for (const double value : {kNan, kInf, -kInf}) {
     glm::dmat4 all;
     for (int i = 0; i < 4; ++i) all[i] = glm::dvec4(value);
-    Scene scene = through(all);
+    SmallScene scene = through(all);
     scene.render();
     EXPECT_TRUE(is_empty(scene.image)) << value;
   }
@@ -391,12 +391,12 @@ TEST(Matrices, OfDegenerateCamerasDrawNothingOrASoundPicture) {
   const double pi = 3.14159265358979323846;
   for (const glm::dmat4& matrix : {camera(1, 1, 1), camera(0, 100, 1), camera(-1, 100, 1), camera(1, kInf, 1), camera(1, 100, 0),
                                    camera(1, 100, pi), camera(0, 0, 0), camera(100, 1, 1), glm::dmat4(0.0)}) {
-    Scene scene = through(matrix);
+    SmallScene scene = through(matrix);
     scene.render();
     expect_sound(scene.image, scene.draws.size());
   }
   // near = far divides by zero, and so does a field of view of 0: every z or x is infinite or NaN. Nothing is left.
-  Scene flat = through(camera(1, 1, 1));
+  SmallScene flat = through(camera(1, 1, 1));
   flat.render();
   EXPECT_TRUE(is_empty(flat.image));
 }
@@ -405,12 +405,12 @@ TEST(Matrices, WithoutAnInverseFlattenWhatTheyDraw) {
   for (int row = 0; row < 2; ++row) {  // everything on one line of the screen
     glm::dmat4 matrix = perspective(1.0);
     for (int column = 0; column < 4; ++column) matrix[column][row] = 0.0;
-    Scene scene({8, 8});
+    SmallScene scene({8, 8});
     scene.object(Topology::triangles, {{-1, -1, -2}, {1, -1, -3}, {0, 1, -2}}, matrix);
     EXPECT_EQ(scene.render().primitives_empty, 1u);
     EXPECT_TRUE(is_empty(scene.image));
   }
-  Scene zero = through(glm::dmat4(0.0));
+  SmallScene zero = through(glm::dmat4(0.0));
   zero.render();
   EXPECT_TRUE(is_empty(zero.image));
 }
@@ -419,7 +419,7 @@ TEST(Camera, InsideTheGeometrySeesItFromInside) {
   // A box of ±3 around the eye: every pixel is covered, at the depth 1/3 of the wall ahead.
   std::vector<glm::vec3> corners;
   for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? 3 : -3, i & 2 ? 3 : -3, i & 4 ? 3 : -3});
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   scene.object(Topology::quads, corners, perspective(1.0)).indices =
       scene.keep<std::uint32_t>({0, 1, 3, 2, 4, 5, 7, 6, 0, 1, 5, 4, 2, 3, 7, 6, 0, 2, 6, 4, 1, 3, 7, 5});
   scene.render();
@@ -433,7 +433,7 @@ TEST(HostileFrames, GiveSoundPicturesThatDoNotDependOnThreadsOrTiles) { draw_hos
 
 TEST(HostileAttributes, LeaveCoverageAndDepthAlone) {
   const auto picture_with = [](float value) {
-    Scene scene({8, 8});
+    SmallScene scene({8, 8});
     Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.2}, {8, 1, 0.9}, {2, 8, 0.4}});
     draw.colors = scene.keep<glm::vec4>({glm::vec4(value), {1, 2, 3, 4}, glm::vec4(-value)});
     draw.normals = scene.keep(std::vector<glm::vec3>(3, glm::vec3(value)));
@@ -450,12 +450,13 @@ TEST(HostileAttributes, LeaveCoverageAndDepthAlone) {
 }
 
 TEST(HostileAttributes, StayInTheHullOfHugeVerticesInsteadOfOverflowing) {
-  Scene scene({8, 8}, ColorFormat::rgba32f);
+  SmallScene scene({8, 8}, ColorFormat::rgba32f);
   Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.2}, {8, 1, 0.9}, {2, 8, 0.4}});
   draw.colors = scene.keep(std::vector<glm::vec4>(3, {kMaxF, -kMaxF, kTinyF, 1e-40f}));
   scene.render();
   for (std::size_t i = 0; i < 64; ++i) {
-    if (scene.image.ids[i].draw == 0) ASSERT_EQ(scene.image.rgba32f[i], glm::vec4(kMaxF, -kMaxF, kTinyF, 1e-40f));
+    const glm::vec4 inside(kMaxF, -kMaxF, kTinyF, 1e-40f);
+    ASSERT_EQ(scene.image.rgba32f[i], scene.image.ids[i].draw == 0 ? inside : glm::vec4(0.0f));
   }
 }
 
