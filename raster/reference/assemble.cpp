@@ -93,13 +93,19 @@ class DrawAssembler {
   static constexpr std::uint32_t kMaxFan = 64;  // pieces of the second triangle of a quad are numbered from here
 
   template <class T>
+  static Shape stored(const T& shape) {
+    return shape;
+  }
+  static Shape stored(const Surfel& surfel) { return std::make_unique<const Surfel>(surfel); }
+
+  template <class T>
   void push(const T& shape, std::uint32_t number, const std::array<std::uint32_t, 3>& vertices, int n_vertices,
             bool front_facing = true) {
     const Ids ids = {draw_.draw_id.value_or(draw_index_), draw_.primitive_id.value_or(primitive_)};
     const PixelBox bounds = intersect(bounds_over_samples(shape, frame_), limits_);
     ++out_.stats.pieces;
     if (bounds.empty()) return;
-    out_.pieces.push_back({shape, bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
+    out_.pieces.push_back({stored(shape), bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
   }
 
   [[nodiscard]] bool not_finite(const glm::dvec3& p) {
@@ -332,7 +338,7 @@ Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) 
   for (Assembly& part : parts) {  // in chunk order
     all.stats += part.stats;
     std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(all.pieces));
-    part.pieces = {};
+    part.pieces = std::vector<Piece>();
   }
   return all;
 }

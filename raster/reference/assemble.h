@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -18,7 +20,22 @@
 
 namespace lode::raster::reference {
 
-using Shape = std::variant<Triangle, Line, Square, Disc, Surfel>;
+/// A surfel is five times as large as the others: it lives on its own, so that triangles stay small.
+using Shape = std::variant<Triangle, Line, Square, Disc, std::unique_ptr<const Surfel>>;
+
+/// f(shape), whichever it is.
+template <class Function>
+decltype(auto) visit_shape(const Shape& shape, const Function& f) {
+  return std::visit(
+      [&]<class T>(const T& s) -> decltype(auto) {
+        if constexpr (std::is_same_v<T, std::unique_ptr<const Surfel>>) {
+          return f(*s);
+        } else {
+          return f(s);
+        }
+      },
+      shape);
+}
 
 /// One shape on its way to the tiles.
 struct Piece {

@@ -8,7 +8,7 @@ namespace {
 
 /// Weights of the piece's vertices at a sample, rounded once.
 std::array<float, 3> vertex_weights(const Piece& piece, glm::ivec2 p_fx8) {
-  const VertexWeights b = std::visit([&](const auto& shape) { return weights_at(shape, p_fx8); }, piece.shape);
+  const VertexWeights b = visit_shape(piece.shape, [&](const auto& shape) { return weights_at(shape, p_fx8); });
   return {float(b[0]), float(b[1]), float(b[2])};
 }
 
@@ -50,7 +50,7 @@ glm::vec4 texel_at(const Draw& draw, ColorFormat format, const Footprint& footpr
 }  // namespace
 
 float depth_of(const Piece& piece, glm::ivec2 p_fx8) {
-  return std::visit([&](const auto& shape) { return depth_at(shape, p_fx8); }, piece.shape);
+  return visit_shape(piece.shape, [&](const auto& shape) { return depth_at(shape, p_fx8); });
 }
 
 void shade(const Draw& draw, const Piece& piece, ColorFormat format, const SampleRun& run, glm::vec4* rgba,
@@ -78,7 +78,7 @@ void shade(const Draw& draw, const Piece& piece, ColorFormat format, const Sampl
     uv[i] = glm::vec2(0.0f);
     if (draw.texture || draw.shader.function) {
       const Footprint footprint =
-          std::visit([&](const auto& shape) { return footprint_at(shape, uvs, p_fx8); }, piece.shape);
+          visit_shape(piece.shape, [&](const auto& shape) { return footprint_at(shape, uvs, p_fx8); });
       uv[i] = glm::vec2(footprint.uv);
       if (draw.texture) texel[i] = texel_at(draw, format, footprint, stats);
     }

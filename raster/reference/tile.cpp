@@ -62,7 +62,7 @@ class TilePainter {
   template <class Visit>
   void for_each_sample(const Piece& piece, Visit visit) {
     const PixelBox window = intersect(piece.bounds_px, job_.box);
-    std::visit([&](const auto& shape) { for_each_covered(shape, window, sample_fx8_, visit); }, piece.shape);
+    visit_shape(piece.shape, [&](const auto& shape) { for_each_covered(shape, window, sample_fx8_, visit); });
   }
 
   /// The shaded colour of one sample if it passes the draw's alpha test; counts.

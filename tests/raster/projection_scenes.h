@@ -180,8 +180,8 @@ struct Scene {
 [[nodiscard]] inline glm::dmat4 random_clip_from_object(HashedNumbers& random, const glm::dvec3& eye, const glm::dvec3& aim,
                                                         double near, double far, glm::ivec2 size_px) {
   const double fov_y_rad = glm::radians(10.0 + 140.0 * random.unit());
-  return clip_from_view(fov_y_rad, double(size_px.x) / size_px.y, near, far) *
-         glm::lookAt(eye, aim + 1e-3 * random_direction(random), random_direction(random));
+  const glm::dvec3 nearby_aim = aim + 1e-3 * random_direction(random), up = random_direction(random);
+  return clip_from_view(fov_y_rad, double(size_px.x) / size_px.y, near, far) * glm::lookAt(eye, nearby_aim, up);
 }
 
 // ---- Scenes.
@@ -192,8 +192,8 @@ struct Scene {
   scene.size_px = {random.between(40, 120), random.between(40, 120)};
   const double extent = log_uniform(random, 1.0, 1e6);
   const glm::vec2 half{float(extent), float(extent * log_uniform(random, 0.1, 10.0))};
-  const double height = log_uniform(random, 1e-3, 10.0) * (random.below(2) == 0 ? 1.0 : -1.0);
-  const glm::dvec2 over = glm::dvec2(random.unit() - 0.5, random.unit() - 0.5) * 2.0 * std::min(extent, 5.0);
+  const double side = random.below(2) == 0 ? 1.0 : -1.0, height = side * log_uniform(random, 1e-3, 10.0);
+  const glm::dvec2 over = glm::dvec2{random.unit() - 0.5, random.unit() - 0.5} * 2.0 * std::min(extent, 5.0);
   const glm::dvec3 eye{over, height};
   glm::dvec3 look = random_direction(random);
   if (random.below(2) == 0) look.z *= 0.02;  // grazing
@@ -203,12 +203,12 @@ struct Scene {
   scene.clip_from_object = random_clip_from_object(random, eye, eye + look, near, far, scene.size_px);
   if (random.below(2) == 0) {
     const int n = random.between(1, most_triangles);
-    const glm::dvec2 centre = over + glm::dvec2(random.unit() - 0.5, random.unit() - 0.5) * std::abs(height);
+    const glm::dvec2 centre = over + glm::dvec2{random.unit() - 0.5, random.unit() - 0.5} * std::abs(height);
     scene.name = "fan of " + std::to_string(n);
     scene.mesh = fan_sheet(n + 2, glm::clamp(glm::vec2(centre), -0.9f * half, 0.9f * half), half);
   } else {
-    const int side = std::max(1, int(std::sqrt(most_triangles / 2.0)));
-    const int n = random.between(1, side), m = random.between(1, side);
+    const int most = std::max(1, int(std::sqrt(most_triangles / 2.0)));
+    const int n = random.between(1, most), m = random.between(1, most);
     scene.name = "grid of " + std::to_string(n) + " x " + std::to_string(m);
     scene.mesh = sheet_mesh(random, n, m, half, float(log_uniform(random, 1.0, 6.0)));
   }
@@ -227,7 +227,8 @@ struct Scene {
     case 2: scene.mesh = star_mesh(random, 2 * n + 2, n + 2, random.unit() * 0.6); scene.name = "star"; break;
     default: scene.mesh = torus_mesh(2 * n + 3, n + 3, 0.1 + 0.4 * random.unit()); scene.name = "torus"; break;
   }
-  const glm::dvec3 eye = random_direction(random) * 3.0 * std::pow(random.unit(), 2.0);
+  const double distance = 3.0 * std::pow(random.unit(), 2.0);
+  const glm::dvec3 eye = random_direction(random) * distance;
   const glm::dvec3 aim = random.below(2) == 0 ? random_direction(random) : eye + random_direction(random);
   const double near = log_uniform(random, 1e-4, 1.0);
   const double far = random.below(4) == 0 ? near + 3.0 * random.unit() + 0.1 : std::numeric_limits<double>::infinity();

@@ -127,7 +127,7 @@ std::array<glm::dvec4, 3> random_thin_triangle(HashedNumbers& random) {
   const auto anywhere = [&](double r) { return r * (2.0 * random.unit() - 1.0); };
   const glm::dvec4 a{anywhere(1.0), anywhere(1.0), 0.25, w_a};
   const glm::dvec4 c{anywhere(reach), anywhere(reach), 0.25, w_c};
-  const glm::dvec4 b = a + glm::dvec4(anywhere(1e-4), anywhere(1e-4), 0.0, anywhere(1e-4));  // 64 px: 1e-4 is 0.8/256 px
+  const glm::dvec4 b = a + glm::dvec4{anywhere(1e-4), anywhere(1e-4), 0.0, anywhere(1e-4)};  // 64 px: 1e-4 is 0.8/256 px
   return {a, b, c};
 }
 
@@ -158,7 +158,7 @@ TEST(TurnedPieces, ASampleIsCoveredOnceWhereTheOutlineWindsAroundItWithTheWindin
     for (int k = 0; k < 200; ++k) {
       const glm::dvec2 from(outline[std::size_t(k) % outline.size()]), to(outline[std::size_t(k + 1) % outline.size()]);
       const glm::dvec2 on_edge = glm::mix(from, to, random.unit() * random.unit());
-      const glm::ivec2 p = glm::ivec2(glm::round(on_edge)) + glm::ivec2(random.between(-1, 1), random.between(-1, 1));
+      const glm::ivec2 p = glm::ivec2(glm::round(on_edge)) + glm::ivec2{random.between(-1, 1), random.between(-1, 1)};
       const glm::ivec2 pixel{p.x >> 8, p.y >> 8};
       const int winding = winding_number(outline, p);  // clockwise: seen from the back
       int front = 0, back = 0;

@@ -149,9 +149,10 @@ inline void add_quad(HashedNumbers& random, WindowMesh& mesh, glm::ivec2 a, glm:
 /// One of the above, in a square of size_px, at times with x and y exchanged.
 [[nodiscard]] inline WindowMesh random_mesh(HashedNumbers& random, int size_px) {
   const glm::ivec2 size_fx8(256 * size_px);
+  const glm::ivec2 cells{random.between(1, 24), random.between(1, 24)};
   WindowMesh mesh;
   switch (random.below(5)) {
-    case 0: mesh = grid_mesh(random, size_fx8, random.between(1, 24), random.between(1, 24)); break;
+    case 0: mesh = grid_mesh(random, size_fx8, cells.x, cells.y); break;
     case 1: mesh = strip_mesh(random, size_fx8, random.between(1, 4 * size_px)); break;
     case 2: mesh = fan_mesh(random, size_px, random.between(0, 64)); break;
     case 3: mesh = split_mesh(random, size_px, random.between(0, 24)); break;
