@@ -187,20 +187,9 @@ TEST(CoplanarTriangles, InOnePlaceGoToTheLowerKeyEverywhere) {
 
 // ---- Coincident layers --------------------------------------------------------------------------------------------
 
-constexpr std::size_t kLayers = 100'000;
-
-/// All in one draw: a triangle that covers the 8×8 picture, again and again.
-Draw& add_layers(SmallScene& scene) {
-  Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.5}, {16, 0, 0.5}, {0, 16, 0.5}});
-  std::vector<std::uint32_t> indices(3 * kLayers);
-  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = std::uint32_t(i % 3);
-  draw.indices = scene.keep(indices);
-  return draw;
-}
-
 TEST(CoincidentLayers, GoToTheLowestKey) {
   SmallScene scene({8, 8});
-  add_layers(scene);
+  add_layers(scene, 8);
   const FrameStats stats = scene.render();
   EXPECT_EQ(stats.fragments_covered, 64 * kLayers);
   EXPECT_EQ(stats.fragments_shaded, 64u);
@@ -209,7 +198,7 @@ TEST(CoincidentLayers, GoToTheLowestKey) {
 
 TEST(CoincidentLayers, AreAllBlended) {
   SmallScene scene({4, 2}, ColorFormat::rgba32f);
-  Draw& draw = add_layers(scene);
+  Draw& draw = add_layers(scene, 4);
   draw.blend = Blend::add;
   draw.color = glm::vec4(0x1p-17f, 1.0f, 3.0f, 0.0f);  // sums of whole multiples below 2^24 are exact
   scene.render();

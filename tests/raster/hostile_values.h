@@ -94,6 +94,18 @@ inline void add_hostile_draw(SmallScene& scene, HashedNumbers& numbers, const Te
   if (numbers.below(4) == 0) draw->stipple = Stipple{std::uint16_t(numbers.below(65536)), numbers.between(1, 256)};
 }
 
+constexpr std::size_t kLayers = 100'000;
+
+/// All in one draw: a triangle that covers a picture of this size, again and again.
+inline Draw& add_layers(SmallScene& scene, int size_px) {
+  const double reach = 2.0 * size_px;
+  Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.5}, {reach, 0, 0.5}, {0, reach, 0.5}});
+  std::vector<std::uint32_t> indices(3 * kLayers);
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = std::uint32_t(i % 3);
+  draw.indices = scene.keep(std::move(indices));
+  return draw;
+}
+
 /// What holds for any picture: depths in [0, 1] with one zero, depth 0 and no id or an id of a draw, no NaN but
 /// 0x7FC00000, no −0.
 inline void expect_sound(const Image& image, std::size_t n_draws) {
