@@ -15,12 +15,23 @@ namespace lode::raster::test {
   for (int c = 0; c < 4; ++c) {
     p[c] = random_number(random, -spread, spread);
     switch (random.below(64)) {
-      case 0: p[c] = 0.0; break;
-      case 1: p[c] = -0.0; break;
-      case 2: p[c] = std::ldexp(p[c], -250); break;
-      case 3: p[c] = std::ldexp(p[c], 250); break;
-      case 4: p[c] = 1.0; break;
-      default: break;
+      case 0:
+        p[c] = 0.0;
+        break;
+      case 1:
+        p[c] = -0.0;
+        break;
+      case 2:
+        p[c] = std::ldexp(p[c], -250);
+        break;
+      case 3:
+        p[c] = std::ldexp(p[c], 250);
+        break;
+      case 4:
+        p[c] = 1.0;
+        break;
+      default:
+        break;
     }
   }
   if (random.below(2) == 0) p.w = std::abs(p.w);
@@ -28,7 +39,8 @@ namespace lode::raster::test {
 }
 
 /// The cut polygon's vertices on the edge from corner i to corner j: those with no weight of the third, each once.
-[[nodiscard]] inline std::vector<glm::dvec4> vertices_on_edge(const reference::ClipPolygon& polygon, std::size_t third) {
+[[nodiscard]] inline std::vector<glm::dvec4> vertices_on_edge(const reference::ClipPolygon& polygon,
+                                                              std::size_t third) {
   std::vector<glm::dvec4> on_edge;
   for (int i = 0; i < polygon.n; ++i) {
     const reference::ClipVertex& v = polygon.vertices[std::size_t(i)];
@@ -64,15 +76,23 @@ struct ExactPoint {
   const glm::ivec2 o = viewport.origin_px, s = viewport.size_px;
   const auto distance = [&](const glm::dvec4& p) -> mpq_class {
     const mpq_class x(p.x), y(p.y), z(p.z), w(p.w);
-    const mpq_class window_x = 256 * o.x * w + 128 * s.x * (x + w), window_y = 256 * o.y * w + 128 * s.y * (w - y);  // · w
+    const mpq_class window_x = 256 * o.x * w + 128 * s.x * (x + w),
+                    window_y = 256 * o.y * w + 128 * s.y * (w - y);  // · w
     switch (k) {
-      case 0: return w - z;
-      case 1: return w - mpq_class(reference::kMinW);
-      case 2: return z;
-      case 3: return window_x + reference::kGuard_fx8 * w;
-      case 4: return reference::kGuard_fx8 * w - window_x;
-      case 5: return window_y + reference::kGuard_fx8 * w;
-      default: return reference::kGuard_fx8 * w - window_y;
+      case 0:
+        return w - z;
+      case 1:
+        return w - mpq_class(reference::kMinW);
+      case 2:
+        return z;
+      case 3:
+        return window_x + reference::kGuard_fx8 * w;
+      case 4:
+        return reference::kGuard_fx8 * w - window_x;
+      case 5:
+        return window_y + reference::kGuard_fx8 * w;
+      default:
+        return reference::kGuard_fx8 * w - window_y;
     }
   };
   const mpq_class d_a = distance(a), d_b = distance(b), t = d_a / (d_a - d_b);

@@ -41,7 +41,8 @@ class CoverageCount {
 
   [[nodiscard]] const reference::PixelBox& window() const { return window_; }
   [[nodiscard]] std::int8_t& at(glm::ivec2 px) {
-    return counts_[std::size_t(px.y - window_.begin_px.y) * std::size_t(width_px_) + std::size_t(px.x - window_.begin_px.x)];
+    return counts_[std::size_t(px.y - window_.begin_px.y) * std::size_t(width_px_) +
+                   std::size_t(px.x - window_.begin_px.x)];
   }
 
   /// Adds `by` to each sample covered. Returns the number of samples tested: those of the walk over the bounds.
@@ -82,9 +83,12 @@ class CoverageCount {
 /// A coordinate in [0, limit_px] pixels: half of them through sample centres or along pixel edges.
 [[nodiscard]] inline std::int32_t random_coordinate_fx8(HashedNumbers& random, int limit_px) {
   switch (random.below(4)) {
-    case 0: return 256 * random.between(0, limit_px - 1) + 128;
-    case 1: return 256 * random.between(0, limit_px);
-    default: return random.between(0, 256 * limit_px);
+    case 0:
+      return 256 * random.between(0, limit_px - 1) + 128;
+    case 1:
+      return 256 * random.between(0, limit_px);
+    default:
+      return random.between(0, 256 * limit_px);
   }
 }
 [[nodiscard]] inline glm::ivec2 random_point_fx8(HashedNumbers& random, int limit_px) {

@@ -34,7 +34,8 @@ struct Displacement {
 /// +1 if the triangle covers the sample and its corners run clockwise as seen on screen, −1 if it covers it and they
 /// run counter-clockwise, 0 if it does not cover it.
 [[nodiscard]] inline int signed_cover(const Corners& t, glm::ivec2 p_fx8, Displacement by = {}) {
-  const int s0 = side_of(t[0], t[1], p_fx8, by), s1 = side_of(t[1], t[2], p_fx8, by), s2 = side_of(t[2], t[0], p_fx8, by);
+  const int s0 = side_of(t[0], t[1], p_fx8, by), s1 = side_of(t[1], t[2], p_fx8, by),
+            s2 = side_of(t[2], t[0], p_fx8, by);
   return s0 == s1 && s1 == s2 ? s0 : 0;
 }
 

@@ -30,7 +30,8 @@ Tally run_until(std::uint64_t wanted, std::uint64_t batch, const Case& run_case)
   std::vector<Tally> tallies(std::size_t(n_workers) * 8);  // each in cache lines of its own
   Tally sum;
   for (std::uint64_t first = 0; sum.n_tests < wanted; first += batch) {
-    parallel_for(batch, n_workers, [&](std::size_t i, int worker) { run_case(first + i, tallies[std::size_t(worker) * 8]); });
+    parallel_for(batch, n_workers,
+                 [&](std::size_t i, int worker) { run_case(first + i, tallies[std::size_t(worker) * 8]); });
     sum = {};
     for (const Tally& t : tallies) {
       sum.n_tests += t.n_tests;
@@ -51,8 +52,8 @@ TEST(SharedEdgesStress, EachSampleOfAMeshIsCoveredExactlyOnce) {
     const WindowMesh mesh = random_mesh(random, kSize_px);
     tally.add(seed, std::uint64_t(wrong_samples(mesh, kSize_px, tally.n_tests)));
   });
-  std::printf("[  COUNT   ] done: %llu pixel tests in %llu meshes, %llu gaps and doubles\n", (unsigned long long)sum.n_tests,
-              (unsigned long long)sum.n_cases, (unsigned long long)sum.n_wrong);
+  std::printf("[  COUNT   ] done: %llu pixel tests in %llu meshes, %llu gaps and doubles\n",
+              (unsigned long long)sum.n_tests, (unsigned long long)sum.n_cases, (unsigned long long)sum.n_wrong);
   EXPECT_EQ(sum.n_wrong, 0u) << "first in mesh " << sum.first_wrong_case;
 }
 
@@ -82,7 +83,8 @@ Corners random_sliver(HashedNumbers& random) {
 }
 
 /// Walks [begin, end) of one row against the crossing of the outline with it.
-std::uint64_t wrong_in_row(const Corners& t, const reference::Triangle& triangle, int y, int begin, int end, Tally& tally) {
+std::uint64_t wrong_in_row(const Corners& t, const reference::Triangle& triangle, int y, int begin, int end,
+                           Tally& tally) {
   const std::int32_t y_fx8 = 256 * y + 128;
   int low = end - begin, high = 0;  // the row's samples inside: [begin + low, begin + high)
   const glm::ivec2 origin{256 * begin, 0};
@@ -132,8 +134,8 @@ TEST(SliverStress, SliversOneSubPixelHighEqualTheExactRows) {
     ++tally.n_tests;
     tally.add(seed, wrong);
   });
-  std::printf("[  COUNT   ] done: %llu slivers, %llu pixel tests, %llu samples covered\n", (unsigned long long)sum.n_cases,
-              (unsigned long long)sum.n_tests, (unsigned long long)sum.n_covered);
+  std::printf("[  COUNT   ] done: %llu slivers, %llu pixel tests, %llu samples covered\n",
+              (unsigned long long)sum.n_cases, (unsigned long long)sum.n_tests, (unsigned long long)sum.n_covered);
   EXPECT_EQ(sum.n_wrong, 0u) << "first in sliver " << sum.first_wrong_case;
 }
 
@@ -150,7 +152,8 @@ TEST(OracleStress, CoverageEqualsThe128BitOracle) {
     } else {  // up to the guard band: 12 × 12 px at a place on an edge
       const int limit = 1 << (13 + random.below(11));
       for (glm::ivec2& p : t) p = {random.between(-limit, limit), random.between(-limit, limit)};
-      const glm::dvec2 at = glm::mix(glm::dvec2(t[0]), glm::dvec2(t[1]), random.below(8) == 0 ? 0.0 : random.unit()) / 256.0;
+      const glm::dvec2 at =
+          glm::mix(glm::dvec2(t[0]), glm::dvec2(t[1]), random.below(8) == 0 ? 0.0 : random.unit()) / 256.0;
       window = {glm::ivec2(at) - 6, glm::ivec2(at) + 6};
     }
     CoverageCount count(window);

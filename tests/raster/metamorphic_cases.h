@@ -52,7 +52,8 @@ struct Picture {
   return picture;
 }
 
-[[nodiscard]] inline Image rendered(const Frame& frame, glm::ivec2 size_px, const RenderOptions& options = workers_and_tiles(1, 64),
+[[nodiscard]] inline Image rendered(const Frame& frame, glm::ivec2 size_px,
+                                    const RenderOptions& options = workers_and_tiles(1, 64),
                                     ColorFormat format = ColorFormat::rgba32f) {
   const bool one_sample = frame.samples_fx8.size() == 1;
   Image image = make_image(size_px, format, {.color = true, .depth = one_sample, .ids = one_sample});
@@ -64,7 +65,9 @@ struct Picture {
 [[nodiscard]] inline bool same_pixel(const Image& a, glm::ivec2 p, const Image& b, glm::ivec2 q) {
   const std::size_t i = std::size_t(p.y) * std::size_t(a.size_px.x) + std::size_t(p.x);
   const std::size_t k = std::size_t(q.y) * std::size_t(b.size_px.x) + std::size_t(q.x);
-  const auto same = [&](const auto& x, const auto& y) { return x.empty() || std::memcmp(&x[i], &y[k], sizeof x[i]) == 0; };
+  const auto same = [&](const auto& x, const auto& y) {
+    return x.empty() || std::memcmp(&x[i], &y[k], sizeof x[i]) == 0;
+  };
   return same(a.rgba8, b.rgba8) && same(a.rgba32f, b.rgba32f) && same(a.depth, b.depth) && same(a.ids, b.ids);
 }
 
@@ -124,7 +127,8 @@ struct Picture {
 [[nodiscard]] inline int wrong_in_crop(std::uint64_t seed) {
   HashedNumbers random(seed);
   const Picture picture = random_picture(random, 24);
-  const glm::ivec2 size{random.between(1, 24), random.between(1, 24)}, origin{random.between(-8, 24), random.between(-8, 24)};
+  const glm::ivec2 size{random.between(1, 24), random.between(1, 24)},
+      origin{random.between(-8, 24), random.between(-8, 24)};
   Frame whole = frame_of(picture.draws), part = whole;
   whole.viewport = Rect{{0, 0}, picture.size_px};
   part.viewport = Rect{-origin, picture.size_px};
@@ -258,7 +262,8 @@ struct Picture {
   const glm::ivec2 at = reference::window_vertex(v, p).p_fx8;
   const glm::ivec2 mirrored_x = reference::window_vertex(v, {-p.x, p.y, p.z, p.w}).p_fx8;
   const glm::ivec2 mirrored_y = reference::window_vertex(v, {p.x, -p.y, p.z, p.w}).p_fx8;
-  return n + int(mirrored_x != glm::ivec2(256 * size - at.x, at.y)) + int(mirrored_y != glm::ivec2(at.x, 256 * size - at.y));
+  return n + int(mirrored_x != glm::ivec2(256 * size - at.x, at.y)) +
+         int(mirrored_y != glm::ivec2(at.x, 256 * size - at.y));
 }
 
 /// Split at a point of the grid, inside or on an edge: the parts cover what the whole covers, each sample once.

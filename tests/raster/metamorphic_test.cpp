@@ -1,9 +1,9 @@
 // What may be changed without a bit of the picture changing (NUMERICS section 3), a few thousand cases each;
 // metamorphic_stress.cpp has the large counts.
 
-#include "metamorphic_cases.h"
-
 #include <gtest/gtest.h>
+
+#include "metamorphic_cases.h"
 
 namespace lode::raster {
 namespace {
@@ -36,13 +36,16 @@ TEST(Metamorphic, TheOrderOfOrderFreeDrawsChangesNoBit) { expect_no_difference(w
 TEST(Metamorphic, AScissorLeavesAPartOfThePicture) { expect_no_difference(wrong_in_scissor, 1500); }
 TEST(Metamorphic, SamplesAreCentresOfAMovedPicture) { expect_no_difference(wrong_in_samples, 1000); }
 TEST(Metamorphic, TranslatingByWholePixelsMovesThePicture) { expect_no_difference(wrong_after_translation, 2000); }
-TEST(Metamorphic, MirroringMirrorsCoverageButForTheFillRulesSide) { expect_no_difference(wrong_after_mirroring, 10'000); }
+TEST(Metamorphic, MirroringMirrorsCoverageButForTheFillRulesSide) {
+  expect_no_difference(wrong_after_mirroring, 10'000);
+}
 TEST(Metamorphic, SplittingOnTheGridCoversTheSameSamplesOnce) { expect_no_difference(wrong_after_splitting, 10'000); }
 
 // A coarse crop case by hand: the triangle's vertices are ties of the snap in a target of 16384 px, and a little more.
 TEST(Metamorphic, ACropOfALargeTargetSnapsAlike) {
   const double tie = (0.5 + 0x1p-36) / 0x1p21;  // half a sub-pixel right of the middle
-  const std::vector<glm::dvec4> p = {{tie, tie, 0.5, 1.0}, {tie + 64.0 / 8192.0, tie, 0.5, 1.0}, {tie, tie - 64.0 / 8192.0, 0.5, 1.0}};
+  const std::vector<glm::dvec4> p = {
+      {tie, tie, 0.5, 1.0}, {tie + 64.0 / 8192.0, tie, 0.5, 1.0}, {tie, tie - 64.0 / 8192.0, 0.5, 1.0}};
   const Draw draw = triangles_of(ClipVertices{p});
   Frame frame = frame_of(draw);
   const auto corners_at = [&](glm::ivec2 origin) {
@@ -59,7 +62,8 @@ TEST(Metamorphic, BlendedTrianglesAreDrawnInSubmissionOrder) {
   const std::vector<glm::dvec3> full = {{-8, -8, 0.5}, {40, -8, 0.5}, {-8, 40, 0.5}};
   std::vector<glm::dvec3> twice = full;
   twice.insert(twice.end(), full.begin(), full.end());
-  const std::vector<glm::vec4> colors = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {0, 1, 0, 1}, {0, 1, 0, 1}};
+  const std::vector<glm::vec4> colors = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1},
+                                         {0, 1, 0, 1}, {0, 1, 0, 1}, {0, 1, 0, 1}};
   std::array<Draw, 2> draws = {triangles_of(WindowVertices{twice}), triangles_of(WindowVertices{full})};
   for (Draw& draw : draws) {
     draw.blend = Blend::over;

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "projection_scenes.h"
 #include "raster/parallel.h"
+#include "signed_coverage.h"
 #include "stress_count.h"
 
 namespace lode::raster {
@@ -12,7 +12,8 @@ namespace {
 using namespace test;
 
 struct Tally {
-  std::uint64_t n_scenes = 0, n_samples = 0, n_tests = 0, n_clipped = 0, n_turned = 0, n_uncertain = 0, n_inside = 0, n_wrong = 0;
+  std::uint64_t n_scenes = 0, n_samples = 0, n_tests = 0, n_clipped = 0, n_turned = 0, n_uncertain = 0, n_inside = 0,
+                n_wrong = 0;
   std::string first_wrong;
 };
 
@@ -25,12 +26,20 @@ void run(std::uint64_t wanted, Scene (*make)(HashedNumbers&, int)) {
       HashedNumbers random(first + i + 500);
       const Scene scene = make(random, 1 << (2 + random.below(10)));
       const SceneResult r = check_scene(scene);
-      tallies[i] = {1, r.coverage.sum.size(), r.coverage.n_tests, r.coverage.n_clipped, r.coverage.n_turned, r.n_uncertain,
-                    r.n_inside, r.n_wrong, r.first_wrong};
+      tallies[i] = {1,
+                    r.coverage.sum.size(),
+                    r.coverage.n_tests,
+                    r.coverage.n_clipped,
+                    r.coverage.n_turned,
+                    r.n_uncertain,
+                    r.n_inside,
+                    r.n_wrong,
+                    r.first_wrong};
     });
     for (std::uint64_t i = 0; i < kBatch; ++i) {
       const Tally& t = tallies[i];
-      if (sum.n_wrong == 0 && t.n_wrong > 0) sum.first_wrong = "scene " + std::to_string(first + i) + ": " + t.first_wrong;
+      if (sum.n_wrong == 0 && t.n_wrong > 0)
+        sum.first_wrong = "scene " + std::to_string(first + i) + ": " + t.first_wrong;
       sum.n_scenes += t.n_scenes;
       sum.n_samples += t.n_samples;
       sum.n_tests += t.n_tests;
@@ -41,7 +50,9 @@ void run(std::uint64_t wanted, Scene (*make)(HashedNumbers&, int)) {
       sum.n_wrong += t.n_wrong;
     }
   }
-  const auto print = [](const char* what, std::uint64_t n) { std::printf("[  COUNT   ] done: %llu %s\n", (unsigned long long)n, what); };
+  const auto print = [](const char* what, std::uint64_t n) {
+    std::printf("[  COUNT   ] done: %llu %s\n", (unsigned long long)n, what);
+  };
   print("pixel tests", sum.n_tests);
   print("scenes", sum.n_scenes);
   print("pieces of cut triangles", sum.n_clipped);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "projection_scenes.h"
+#include "signed_coverage.h"
 
 namespace lode::raster {
 namespace {
@@ -51,7 +51,8 @@ TEST(ProjectedMesh, ClosedAndUncutHasASignedCountOfZeroAtEverySample) {
     const Draw draw = draw_of(scene);
     const SignedCoverage coverage = signed_coverage(frame_of(draw), scene.size_px);
     ASSERT_EQ(coverage.n_clipped, 0u);
-    EXPECT_EQ(std::count(coverage.sum.begin(), coverage.sum.end(), 0), std::ptrdiff_t(coverage.sum.size())) << scene.name;
+    EXPECT_EQ(std::count(coverage.sum.begin(), coverage.sum.end(), 0), std::ptrdiff_t(coverage.sum.size()))
+        << scene.name;
     EXPECT_GT(*std::max_element(coverage.count.begin(), coverage.count.end()), 1);
   }
 }
@@ -127,7 +128,8 @@ std::array<glm::dvec4, 3> random_thin_triangle(HashedNumbers& random) {
   const auto anywhere = [&](double r) { return r * (2.0 * random.unit() - 1.0); };
   const glm::dvec4 a{anywhere(1.0), anywhere(1.0), 0.25, w_a};
   const glm::dvec4 c{anywhere(reach), anywhere(reach), 0.25, w_c};
-  const glm::dvec4 b = a + glm::dvec4{anywhere(1e-4), anywhere(1e-4), 0.0, anywhere(1e-4)};  // 64 px: 1e-4 is 0.8/256 px
+  const glm::dvec4 b =
+      a + glm::dvec4{anywhere(1e-4), anywhere(1e-4), 0.0, anywhere(1e-4)};  // 64 px: 1e-4 is 0.8/256 px
   return {a, b, c};
 }
 
@@ -135,7 +137,8 @@ std::array<glm::dvec4, 3> random_thin_triangle(HashedNumbers& random) {
 TEST(TurnedPieces, ASampleIsCoveredOnceWhereTheOutlineWindsAroundItWithTheWindingsSign) {
   HashedNumbers random(90);
   constexpr glm::ivec2 kSize_px{64, 64};
-  constexpr glm::ivec2 kAnySamples[] = {{0, 0}, {255, 255}};  // with several, pieces reach over all positions in a pixel
+  constexpr glm::ivec2 kAnySamples[] = {{0, 0},
+                                        {255, 255}};  // with several, pieces reach over all positions in a pixel
   const reference::Viewport viewport = reference::make_viewport({{0, 0}, kSize_px});
   int n_turned = 0, n_inside = 0, n_against = 0;
   for (int i = 0; i < 6000; ++i) {
@@ -172,12 +175,39 @@ TEST(TurnedPieces, ASampleIsCoveredOnceWhereTheOutlineWindsAroundItWithTheWindin
       ASSERT_LE(front + back, 1) << "triangle " << i;
       ASSERT_EQ(front - back, -winding) << "triangle " << i << " at " << p.x << ", " << p.y;
       n_inside += winding != 0;
-      n_against += winding != 0 && (winding > 0) == (reference::doubled_area_fx16(outline[0], outline[1], outline[2]) < 0);
+      n_against +=
+          winding != 0 && (winding > 0) == (reference::doubled_area_fx16(outline[0], outline[1], outline[2]) < 0);
     }
   }
   EXPECT_GT(n_turned, 200);
   EXPECT_GT(n_inside, 1000);
   EXPECT_GT(n_against, 20);
+}
+
+// Seen from v0 the others lie at 0°, 60°, 30° and 90° (clockwise): +(0…60), −(60…30), +(30…90). At 45° all three
+// pieces overlap, the outline winds around once: the first positive piece covers the sample, alone.
+TEST(TurnedPieces, WhereSeveralOverlapTheFirstOfTheWindingsSignCoversTheSample) {
+  for (const int mirror : {1, -1}) {
+    reference::ClippedPolygon polygon;
+    polygon.has_turned_piece = true;
+    for (const glm::ivec2 p :
+         {glm::ivec2(0, 0), glm::ivec2(1000, 0), glm::ivec2(500, 866), glm::ivec2(866, 500), glm::ivec2(0, 1000)}) {
+      polygon.vertices.push_back({{mirror * p.x, p.y}, 0.5, 1.0});
+    }
+    const auto owner = [&](glm::ivec2 p) {
+      int n = 0, first = -1;
+      for (int piece = 0; piece < 3; ++piece) {
+        if (!reference::owns_sample(polygon, piece, {mirror * p.x, p.y})) continue;
+        ++n;
+        first = piece;
+      }
+      return n > 1 ? -2 : first;
+    };
+    EXPECT_EQ(owner({290, 78}), 0);   // 15°: the first alone
+    EXPECT_EQ(owner({212, 212}), 0);  // 45°: +1 −1 +1
+    EXPECT_EQ(owner({78, 290}), 2);   // 75°: the last alone
+    EXPECT_EQ(owner({-200, 200}), -1);
+  }
 }
 
 /// A fan whose slices are thinner than a sub-pixel where the near plane cuts them.
@@ -187,8 +217,9 @@ TEST(TurnedPieces, AFanOfSlicesThinnerThanASubPixelIsCoveredExactlyOnce) {
   for (int i = 0; i < 3; ++i) {
     Scene scene{"thin fan", fan_sheet(60'000, {0.0f, 0.27f}, {4.0f, 4.0f}), {}, {96, 64}};
     const double near = 0.28 + 0.05 * random.unit();  // the fan's centre lies just behind it
-    scene.clip_from_object = clip_from_view(1.2, 1.5, near, INFINITY) *
-                             glm::lookAt(glm::dvec3(0.0, 0.0, 0.1), glm::dvec3(0.01 * random.unit(), 1.0, 0.1), {0.7, 0.0, 1.0});
+    scene.clip_from_object =
+        clip_from_view(1.2, 1.5, near, INFINITY) *
+        glm::lookAt(glm::dvec3(0.0, 0.0, 0.1), glm::dvec3(0.01 * random.unit(), 1.0, 0.1), {0.7, 0.0, 1.0});
     const SceneResult r = check_scene(scene);
     EXPECT_EQ(r.n_wrong, 0u) << r.first_wrong;
     n_turned += r.coverage.n_turned;

@@ -53,7 +53,8 @@ namespace lode::raster::test {
 struct ExactWindow {
   mpq_class x_fx8, y_fx8;
 };
-[[nodiscard]] inline ExactWindow exact_window(const Rect& viewport, const mpq_class& x, const mpq_class& y, const mpq_class& w) {
+[[nodiscard]] inline ExactWindow exact_window(const Rect& viewport, const mpq_class& x, const mpq_class& y,
+                                              const mpq_class& w) {
   const glm::ivec2 o = viewport.origin_px, s = viewport.size_px;
   return {256 * (o.x + s.x * (x / w + 1) / 2), 256 * (o.y + s.y * (1 - y / w) / 2)};
 }

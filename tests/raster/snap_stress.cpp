@@ -42,7 +42,8 @@ TEST(SnapStress, EveryFloatPatternEqualsTheIntegerOracleOnItsBits) {
     n_nan += nan;
     return wrong;
   });
-  std::printf("[  COUNT   ] done: %llu, %llu of them NaN, which never get here\n", (unsigned long long)n, (unsigned long long)n_nan);
+  std::printf("[  COUNT   ] done: %llu, %llu of them NaN, which never get here\n", (unsigned long long)n,
+              (unsigned long long)n_nan);
   EXPECT_EQ(n_wrong, 0u);
 }
 

@@ -54,7 +54,8 @@ TEST(Snap, OfADoubleEqualsTheIntegerOracleOnItsBits) {
   HashedNumbers random(31);
   for (int i = 0; i < 300'000; ++i) {
     const double near_tie = (random.between(-200'000, 200'000) + 0.5) / 256.0;
-    const double value = i % 2 == 0 ? random_number(random, -20, 17) : std::nextafter(near_tie, random.between(-1, 1) * 1e9);
+    const double value =
+        i % 2 == 0 ? random_number(random, -20, 17) : std::nextafter(near_tie, random.between(-1, 1) * 1e9);
     ASSERT_EQ(snapped(value), snapped_bits(value)) << value;
   }
 }
@@ -74,7 +75,8 @@ TEST(Snap, OfClipVerticesIsWithinTheBoundOfTheRationalPosition) {
 // middle in double, 2^-30 is lost.
 TEST(Snap, DoesNotDependOnWhereTheViewportLies) {
   const glm::dvec4 p{(0.5 + 0x1p-36) / 0x1p21, (0.5 - 0x1p-36) / 0x1p21, 0.5, 1.0};
-  for (const glm::ivec2 origin : {glm::ivec2(0), glm::ivec2(-8192), glm::ivec2(-8191, 1234), glm::ivec2(20000, -30000)}) {
+  for (const glm::ivec2 origin :
+       {glm::ivec2(0), glm::ivec2(-8192), glm::ivec2(-8191, 1234), glm::ivec2(20000, -30000)}) {
     const reference::Viewport v = reference::make_viewport({origin, {16384, 16384}});
     const glm::ivec2 middle = 256 * (origin + 8192);
     EXPECT_EQ(reference::window_vertex(v, p).p_fx8, middle + glm::ivec2(1, 0)) << origin.x;
@@ -137,20 +139,28 @@ int wrong_cuts(std::uint64_t seed, int k, double ratio, int n_cases) {
   HashedNumbers random(seed);
   int n_wrong = 0;
   for (int n_done = 0; n_done < n_cases;) {
-    const Rect viewport{{random.between(-100, 100), random.between(-100, 100)}, {random.between(1, 2000), random.between(1, 2000)}};
+    const Rect viewport{{random.between(-100, 100), random.between(-100, 100)},
+                        {random.between(1, 2000), random.between(1, 2000)}};
     const reference::Viewport v = reference::make_viewport(viewport);
     const double w_a = std::exp2(std::log2(ratio) * random.unit());
     const auto point = [&](double w, bool outside) -> glm::dvec4 {
       const double x = w * (2.0 * random.unit() - 1.0), y = w * (2.0 * random.unit() - 1.0), z = w * random.unit();
       const double far = (2.0 + 10.0 * random.unit()) * 0x1p17 / std::min(v.half_fx8.x, v.half_fx8.y) * 128.0 * w;
       switch (outside ? k : -1) {
-        case 0: return {x, y, w * (1.0 + random.unit()), w};
-        case 2: return {x, y, -z, w};
-        case 3: return {-far, y, z, w};
-        case 4: return {far, y, z, w};
-        case 5: return {x, far, z, w};
-        case 6: return {x, -far, z, w};
-        default: return {x, y, z, w};
+        case 0:
+          return {x, y, w * (1.0 + random.unit()), w};
+        case 2:
+          return {x, y, -z, w};
+        case 3:
+          return {-far, y, z, w};
+        case 4:
+          return {far, y, z, w};
+        case 5:
+          return {x, far, z, w};
+        case 6:
+          return {x, -far, z, w};
+        default:
+          return {x, y, z, w};
       }
     };
     const glm::dvec4 a = point(w_a, false), b = point(w_a / ratio, true), c = point(1.0, false);
@@ -176,7 +186,8 @@ TEST(Clip, NothingIsLeftBehindAPlane) {
   HashedNumbers random(36);
   const reference::Viewport v = reference::make_viewport({{0, 0}, {64, 64}});
   for (int i = 0; i < 5000; ++i) {
-    const std::array<glm::dvec4, 3> corners = {random_clip_point(random, 3), random_clip_point(random, 3), random_clip_point(random, 3)};
+    const std::array<glm::dvec4, 3> corners = {random_clip_point(random, 3), random_clip_point(random, 3),
+                                               random_clip_point(random, 3)};
     const reference::ClipPolygon polygon = reference::clip_triangle(v, corners);
     for (int k = 0; k < polygon.n; ++k) {
       const glm::dvec4& p = polygon.vertices[std::size_t(k)].position;
@@ -207,7 +218,8 @@ Drawn draw_px(const Vertices& vertices, glm::ivec2 size_px = {16, 16}) {
 
 TEST(HostileVertices, ANaNDiscardsItsPrimitiveAndIsCounted) {
   for (int c = 0; c < 4; ++c) {
-    std::vector<glm::dvec4> p = {{-1, -1, 0.5, 1}, {3, -1, 0.5, 1}, {-1, 3, 0.5, 1}, {-1, -1, 0.5, 1}, {3, -1, 0.5, 1}, {-1, 3, 0.5, 1}};
+    std::vector<glm::dvec4> p = {{-1, -1, 0.5, 1}, {3, -1, 0.5, 1}, {-1, 3, 0.5, 1},
+                                 {-1, -1, 0.5, 1}, {3, -1, 0.5, 1}, {-1, 3, 0.5, 1}};
     p[std::size_t(c) % 3][c] = kNaN;
     const Drawn drawn = draw_px(ClipVertices{p});
     EXPECT_EQ(drawn.stats.primitives_not_finite, 1u);
@@ -250,8 +262,10 @@ TEST(HostileVertices, WOfZeroNegativeTinyAndMixedIsClippedAtTheNearPlane) {
   EXPECT_EQ(draw_px(ClipVertices{triangle(-1, -1, -1)}).n_px, 0);
   EXPECT_EQ(draw_px(ClipVertices{triangle(0, 0, 0)}).n_px, 0);
   EXPECT_EQ(draw_px(ClipVertices{triangle(1e-30, 1, 1)}).n_px, 256);
-  EXPECT_EQ(draw_px(ClipVertices{triangle(std::numeric_limits<double>::denorm_min(), 1, 1)}).stats.primitives_not_finite, 0u);
-  // One w of 0: the vertex lies at infinity in direction (3, −1). Left of x = −1 and up to y = −1 … 3 nothing is missing.
+  EXPECT_EQ(
+      draw_px(ClipVertices{triangle(std::numeric_limits<double>::denorm_min(), 1, 1)}).stats.primitives_not_finite, 0u);
+  // One w of 0: the vertex lies at infinity in direction (3, −1). Left of x = −1 and up to y = −1 … 3 nothing is
+  // missing.
   EXPECT_EQ(draw_px(ClipVertices{triangle(1, 0, 1)}).n_px, 256);
   // w = −1 at the right: the point seen is beyond infinity; what is left is the part in front of the eye.
   EXPECT_GT(draw_px(ClipVertices{triangle(1, -1, 1)}).n_px, 0);

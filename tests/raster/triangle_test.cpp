@@ -86,19 +86,21 @@ TEST(TriangleFillRule, AnEdgeSharedThroughCentresBelongsToTheTriangleItIsTheLeft
 }
 
 TEST(TriangleFillRule, AHorizontalEdgeSharedThroughCentresBelongsToTheTriangleBelow) {
-  EXPECT_EQ(picture({5, 5}, {{{{0.5, 2.5}, {4.5, 2.5}, {2.5, 0.5}}}, {{{0.5, 2.5}, {4.5, 2.5}, {2.5, 4.5}}}}),
-            ".....\n"  // both slanted edges meet in the centre of (2, 0): the displaced sample is right of the right one
-            ".aa..\n"
-            "bbbb.\n"
-            ".bb..\n"
-            ".....\n");
+  EXPECT_EQ(
+      picture({5, 5}, {{{{0.5, 2.5}, {4.5, 2.5}, {2.5, 0.5}}}, {{{0.5, 2.5}, {4.5, 2.5}, {2.5, 4.5}}}}),
+      ".....\n"  // both slanted edges meet in the centre of (2, 0): the displaced sample is right of the right one
+      ".aa..\n"
+      "bbbb.\n"
+      ".bb..\n"
+      ".....\n");
 }
 
 // Eight triangles around the centre of pixel (2, 2), clockwise from the one between east and south-east. A sample on
 // an edge goes to what lies to its right; on the two horizontal edges, to what lies below.
 TEST(TriangleFillRule, SamplesOnAFansEdgesAndSharedVertexBelongToExactlyOneTriangle) {
   const glm::dvec2 m{2.5, 2.5};
-  const glm::dvec2 ring[] = {{4.5, 2.5}, {4.5, 4.5}, {2.5, 4.5}, {0.5, 4.5}, {0.5, 2.5}, {0.5, 0.5}, {2.5, 0.5}, {4.5, 0.5}};
+  const glm::dvec2 ring[] = {{4.5, 2.5}, {4.5, 4.5}, {2.5, 4.5}, {0.5, 4.5},
+                             {0.5, 2.5}, {0.5, 0.5}, {2.5, 0.5}, {4.5, 0.5}};
   std::vector<CornersPx> fan;
   for (std::size_t i = 0; i < 8; ++i) fan.push_back({m, ring[i], ring[(i + 1) % 8]});
   EXPECT_EQ(picture({5, 5}, fan),
@@ -173,7 +175,8 @@ TEST(TriangleFacing, FrontIsCounterClockwiseAsSeenAndEachCullModeKeepsItsSide) {
 
 /// Counter-clockwise is +1; the exact sign of det(x, y, w) of three clip-space corners.
 int exact_facing(const std::array<glm::dvec4, 3>& p) {
-  const mpq_class ax(p[0].x), ay(p[0].y), aw(p[0].w), bx(p[1].x), by(p[1].y), bw(p[1].w), cx(p[2].x), cy(p[2].y), cw(p[2].w);
+  const mpq_class ax(p[0].x), ay(p[0].y), aw(p[0].w), bx(p[1].x), by(p[1].y), bw(p[1].w), cx(p[2].x), cy(p[2].y),
+      cw(p[2].w);
   return sgn(mpq_class(ax * (by * cw - cy * bw) - ay * (bx * cw - cx * bw) + aw * (bx * cy - cx * by)));
 }
 
@@ -201,8 +204,8 @@ TEST(TriangleFacing, CullingKeepsATriangleOnlyIfBothTheUnsnappedAndTheSnappedSig
       Draw draw = triangles_of(ClipVertices{corners});
       draw.cull = cull;
       Image image = make_image({64, 64}, ColorFormat::rgba8, {.color = false, .depth = false, .ids = true});
-      const FrameStats stats = i < 40 ? render(frame_of(draw), image)
-                                      : reference::assemble(frame_of(draw), {64, 64}, 1).stats;
+      const FrameStats stats =
+          i < 40 ? render(frame_of(draw), image) : reference::assemble(frame_of(draw), {64, 64}, 1).stats;
       const int wanted = cull == Cull::back ? 1 : -1;
       const bool kept = snapped_facing != 0 && (cull == Cull::none || (facing == wanted && snapped_facing == wanted));
       ASSERT_EQ(stats.pieces, kept ? 1u : 0u) << "case " << i;
@@ -327,8 +330,8 @@ TEST(TriangleCoverage, AWindowSeesExactlyItsPartOfTheTriangle) {
     const std::optional<reference::Triangle> triangle = triangle_of(t);
     if (!triangle) continue;
     const int x = random.between(0, 16), y = random.between(0, 16);
-    for (const PixelBox& part : {PixelBox{{0, 0}, {x, y}}, PixelBox{{x, 0}, {16, y}}, PixelBox{{0, y}, {x, 16}},
-                                 PixelBox{{x, y}, {16, 16}}}) {
+    for (const PixelBox& part :
+         {PixelBox{{0, 0}, {x, y}}, PixelBox{{x, 0}, {16, y}}, PixelBox{{0, y}, {x, 16}}, PixelBox{{x, y}, {16, 16}}}) {
       reference::for_each_covered(*triangle, part, kCentre_fx8, [&](glm::ivec2 px) {
         ASSERT_TRUE(!reference::intersect(part, {px, px + glm::ivec2(1)}).empty());
         ++in_parts.at(px);

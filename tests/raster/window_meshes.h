@@ -10,8 +10,8 @@
 namespace lode::raster::test {
 
 struct WindowMesh {
-  std::vector<Corners> triangles;    ///< clockwise as seen on screen
-  std::vector<glm::ivec2> outline;   ///< likewise
+  std::vector<Corners> triangles;   ///< clockwise as seen on screen
+  std::vector<glm::ivec2> outline;  ///< likewise
 };
 
 /// Where a jittered vertex of a lattice lands: in the open cell around `at`, at times on a centre or a pixel edge.
@@ -83,7 +83,8 @@ inline void add_quad(HashedNumbers& random, WindowMesh& mesh, glm::ivec2 a, glm:
   const auto same_angle = [&](glm::ivec2 p, glm::ivec2 q) { return !before(p, q) && !before(q, p); };
   ring.erase(std::unique(ring.begin(), ring.end(), same_angle), ring.end());
   WindowMesh mesh;
-  for (std::size_t i = 0; i < ring.size(); ++i) mesh.triangles.push_back({centre, ring[i], ring[(i + 1) % ring.size()]});
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    mesh.triangles.push_back({centre, ring[i], ring[(i + 1) % ring.size()]});
   mesh.outline = ring;
   return mesh;
 }
@@ -108,7 +109,8 @@ inline void add_quad(HashedNumbers& random, WindowMesh& mesh, glm::ivec2 a, glm:
       if (!inside) {
         split.push_back(t);
       } else {
-        std::copy_if(parts, parts + 3, std::back_inserter(split), [](const Corners& part) { return doubled_area(part) > 0; });
+        std::copy_if(parts, parts + 3, std::back_inserter(split),
+                     [](const Corners& part) { return doubled_area(part) > 0; });
       }
     }
     mesh.triangles = std::move(split);
@@ -118,7 +120,8 @@ inline void add_quad(HashedNumbers& random, WindowMesh& mesh, glm::ivec2 a, glm:
 
 /// Whether p lies strictly inside the circle through a triangle's corners.
 [[nodiscard]] inline bool in_circle(const Corners& t, glm::ivec2 p) {
-  const std::int64_t ax = t[0].x - p.x, ay = t[0].y - p.y, bx = t[1].x - p.x, by = t[1].y - p.y, cx = t[2].x - p.x, cy = t[2].y - p.y;
+  const std::int64_t ax = t[0].x - p.x, ay = t[0].y - p.y, bx = t[1].x - p.x, by = t[1].y - p.y, cx = t[2].x - p.x,
+                     cy = t[2].y - p.y;
   const Int128 a = ax * ax + ay * ay, b = bx * bx + by * by, c = cx * cx + cy * cy;
   return a * (bx * cy - cx * by) - b * (ax * cy - cx * ay) + c * (ax * by - bx * ay) > 0;
 }
@@ -152,11 +155,21 @@ inline void add_quad(HashedNumbers& random, WindowMesh& mesh, glm::ivec2 a, glm:
   const glm::ivec2 cells{random.between(1, 24), random.between(1, 24)};
   WindowMesh mesh;
   switch (random.below(5)) {
-    case 0: mesh = grid_mesh(random, size_fx8, cells.x, cells.y); break;
-    case 1: mesh = strip_mesh(random, size_fx8, random.between(1, 4 * size_px)); break;
-    case 2: mesh = fan_mesh(random, size_px, random.between(0, 64)); break;
-    case 3: mesh = split_mesh(random, size_px, random.between(0, 24)); break;
-    default: mesh = delaunay_mesh(random, size_px, random.between(0, 48)); break;
+    case 0:
+      mesh = grid_mesh(random, size_fx8, cells.x, cells.y);
+      break;
+    case 1:
+      mesh = strip_mesh(random, size_fx8, random.between(1, 4 * size_px));
+      break;
+    case 2:
+      mesh = fan_mesh(random, size_px, random.between(0, 64));
+      break;
+    case 3:
+      mesh = split_mesh(random, size_px, random.between(0, 24));
+      break;
+    default:
+      mesh = delaunay_mesh(random, size_px, random.between(0, 48));
+      break;
   }
   if (random.below(2) == 0) {
     for (Corners& t : mesh.triangles) t = {{{t[0].y, t[0].x}, {t[2].y, t[2].x}, {t[1].y, t[1].x}}};
