@@ -88,8 +88,8 @@ inline CornerData random_corners(HashedNumbers& numbers, const Family& family) {
       c.w[i] = same_w && i > 0 ? c.w[0] : scale + std::int64_t(numbers.below(std::uint32_t(scale) + 1));
       c.z[i] = 1.0 / double(c.w[i]);
     } else {
-      c.z[i] = std::ldexp(double(numbers.bits() >> 4) , -60) / double(1u << numbers.below(24));
-      c.z[i] = std::ldexp(std::rint(std::ldexp(c.z[i], 60)), -60);
+      const double whole = double(numbers.bits() >> 4);
+      c.z[i] = std::ldexp(std::rint(whole / double(1u << numbers.below(24))), -60);
     }
     c.color[i] = {whole_attribute(numbers), whole_attribute(numbers), whole_attribute(numbers), constant};
   }

@@ -11,7 +11,8 @@ namespace lode::raster::reference {
 namespace {
 
 double random_double(test::HashedNumbers& numbers, int largest_exponent) {
-  const double size = std::ldexp(numbers.unit() - 0.5, numbers.between(-largest_exponent, largest_exponent));
+  const double mantissa = numbers.unit() - 0.5;
+  const double size = std::ldexp(mantissa, numbers.between(-largest_exponent, largest_exponent));
   return numbers.below(8) == 0 ? std::rint(size) : size;
 }
 

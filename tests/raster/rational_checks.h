@@ -59,9 +59,10 @@ inline RationalMeasured check_any_numbers(std::uint64_t n_samples, std::uint64_t
     for (std::size_t i = 0; i < n; ++i) {
       c.w[i] = 1;
       glm::dvec4 corner = clip_corner(c, i, kSize);
-      w[i] = same_w && i > 0 ? w[0] : std::ldexp(1.0 + numbers.unit(), numbers.between(-140, 100));
+      const double w_mantissa = 1.0 + numbers.unit(), z_mantissa = numbers.unit();
+      w[i] = same_w && i > 0 ? w[0] : std::ldexp(w_mantissa, numbers.between(-140, 100));
       corner *= w[i];
-      corner.z = numbers.unit() * w[i] * std::ldexp(1.0, numbers.below(3) == 0 ? -int(numbers.below(900)) : 0);
+      corner.z = z_mantissa * w[i] * std::ldexp(1.0, numbers.below(3) == 0 ? -int(numbers.below(900)) : 0);
       z[i] = corner.z / w[i];
       p.push_back(corner);
       colors.push_back({any_float(numbers), any_float(numbers), any_float(numbers), 1.0f});
@@ -258,7 +259,8 @@ inline ClippedMeasured check_clipped(std::uint64_t n_samples, std::uint64_t seed
     std::array<glm::dvec4, 3> corners;
     std::vector<glm::vec4> colors;
     for (glm::dvec4& p : corners) {  // near plane at w = 1, distances from 2^-20 behind the eye to 2^20
-      const double w = std::ldexp(1.0 + numbers.unit(), int(numbers.below(20))) * (numbers.below(3) == 0 ? -1.0 : 1.0);
+      const double mantissa = numbers.below(3) == 0 ? -1.0 - numbers.unit() : 1.0 + numbers.unit();
+      const double w = std::ldexp(mantissa, int(numbers.below(20)));
       const auto across = [&] { return (6.0 * numbers.unit() - 3.0) * std::abs(w); };
       p = {across(), across(), numbers.below(4) == 0 ? w * (2.0 * numbers.unit() - 0.5) : 1.0, w};
       colors.push_back({whole_attribute(numbers), whole_attribute(numbers), whole_attribute(numbers), 77.7f});
