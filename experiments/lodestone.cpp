@@ -30,6 +30,7 @@ constexpr const char* kExamples =
 constexpr const char* kDrawFooter =
     "Files: colour .png .exr .npy; depth and ids .exr .npy. Row 0 is the top. Depth is 1 near, 0 far or nothing;\n"
     "ids are 4294967295 twice where nothing was drawn. All outputs appear whole, together, or not at all.\n"
+    "Without any output the picture is only checked.\n"
     "\n"
     "A picture:\n"
     "  {\"size\": [64, 64], \"unit\": \"px\", \"clear\": [0,0,0,255], \"draws\": [\n"

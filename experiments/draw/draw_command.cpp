@@ -62,9 +62,6 @@ void check_distinct(const DrawOptions& options) {
 }
 
 void check_usage(const DrawOptions& options) {
-  if (!options.out && !options.depth && !options.ids && !options.stats && !options.print) {
-    throw Error(Status::wrong_usage, "draw: nothing to do: expected --out, --depth, --ids, --print or --stats");
-  }
   if (options.print && options.stats == "-") {
     throw Error(Status::wrong_usage, "--print --stats -: two outputs on one standard output");
   }
@@ -149,7 +146,8 @@ void draw(const DrawOptions& options, const CommonOptions& common, std::istream&
     text = printed_picture(picture.size_px, image.ids);
   }
 
-  if (color || depth || ids || options.stats) {
+  // With no output at all the picture is drawn all the same: its errors are found, nothing is written.
+  if (!options.print || color || depth || ids || options.stats) {
     // Statistics have hashes of all planes, so far as they exist.
     const bool all = options.stats.has_value();
     const bool single = picture.samples_fx8.size() == 1;

@@ -9,7 +9,9 @@
 namespace lode::raster::reference {
 
 template <class Primitive>
-concept TestedBySample = requires(const Primitive& primitive, glm::ivec2 p_fx8) { covers(primitive, p_fx8); };
+concept TestedBySample = requires(const Primitive& primitive, glm::ivec2 p_fx8) {
+  covers(primitive, p_fx8);
+};
 
 /// Row by row. O(pixels of the bounds in the window).
 template <TestedBySample Primitive, class Visit>

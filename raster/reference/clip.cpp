@@ -43,6 +43,11 @@ ClipVertex intersect_edge(int k, const Viewport& v, const ClipVertex& end_0, con
   if (k == 0) p.position.z = p.position.w;
   if (k == 1) p.position.w = kMinW;
   if (k == 2) p.position.z = 0.0;
+  // Of the guard band's sides, too: between ends of 10^38, say, interpolation leaves nothing of a cut's coordinate.
+  if (k == 3 && v.half_fx8.x != 0.0) p.position.x = (-kGuard - v.centre_fx8.x) * p.position.w / v.half_fx8.x;
+  if (k == 4 && v.half_fx8.x != 0.0) p.position.x = (kGuard - v.centre_fx8.x) * p.position.w / v.half_fx8.x;
+  if (k == 5 && v.half_fx8.y != 0.0) p.position.y = (v.centre_fx8.y + kGuard) * p.position.w / v.half_fx8.y;
+  if (k == 6 && v.half_fx8.y != 0.0) p.position.y = (v.centre_fx8.y - kGuard) * p.position.w / v.half_fx8.y;
   return p;
 }
 

@@ -149,7 +149,8 @@ Bounded rounded(const N& x, int unit) {
 
 /// Rounds functions of one group, in the unit of their largest coefficient.
 template <class N, std::size_t n>
-void round_group(const std::array<const Linear<N>*, n>& exact, const std::array<Linear<Bounded>*, n>& result, int unit) {
+void round_group(const std::array<const Linear<N>*, n>& exact, const std::array<Linear<Bounded>*, n>& result,
+                 int unit) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < 3; ++j) (*result[i])[j] = rounded((*exact[i])[j], unit);
   }

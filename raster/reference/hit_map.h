@@ -38,10 +38,10 @@ struct HitMap {
   Triple<Linear<N>> q;  ///< from the centre to the hit
   Linear<N> reach;      ///< radius
   Linear<N> det;
-  Linear<N> z;          ///< clip-space z at the hit
-  Linear<N> gap;        ///< w − z
-  Linear<N> w_margin;   ///< w_factor·w − w_min
-  N w;                  ///< clip-space w at the hit
+  Linear<N> z;         ///< clip-space z at the hit
+  Linear<N> gap;       ///< w − z
+  Linear<N> w_margin;  ///< w_factor·w − w_min
+  N w;                 ///< clip-space w at the hit
 };
 
 template <class N>

@@ -150,7 +150,9 @@ Footprint footprint_at(const Line& line, const VertexUvs& uvs, glm::ivec2 p_fx8)
   const glm::dvec2 along_per_px = 256.0 * glm::dvec2(line.b_fx8 - line.a_fx8) / t.d;
   Footprint f;
   for (int c = 0; c < 2; ++c) {
-    const auto end_uv = [&](const VertexWeights& w) { return w[0] * double((*uvs)[0][c]) + w[1] * double((*uvs)[1][c]); };
+    const auto end_uv = [&](const VertexWeights& w) {
+      return w[0] * double((*uvs)[0][c]) + w[1] * double((*uvs)[1][c]);
+    };
     const double u_a = end_uv(line.weights_a), u_b = end_uv(line.weights_b);
     f.uv[c] = mix(q_a / sum, u_a, q_b / sum, u_b);
     f.duv_dx[c] = (u_b - u_a) * slope * along_per_px.x;

@@ -11,8 +11,8 @@ namespace lode::raster::reference {
 namespace {
 
 /// Relative error of z and of w with which z/w rounds within 0.501 ULP: a float's ULP is at least 2^-24 of its
-/// value, so both together move it by 2^-13 ULP.
-constexpr double kDepthError = 0x1p-38;
+/// value, so both together move it by 2^-11 ULP.
+constexpr double kDepthError = 0x1p-36;
 bool is_precise(const Bounded& a) { return a.error <= kDepthError * std::abs(a.value); }
 
 /// Infinities are read as ±2^128 (frame.h).
@@ -136,7 +136,8 @@ std::optional<Surfel> make_surfel(const glm::vec3& centre, const glm::vec3& norm
   // exactly in the near plane, and then each of its samples would come to them.
   s.map = bounded_hit_map(s.input);
   if (surely_negative(s.map.w)) turn(s.map);
-  Answer in_clip_volume = is_precise(s.map.w) && surely_positive(s.map.w) ? box_in_clip_volume(s.input, s.map, *box) : Answer::unknown;
+  Answer in_clip_volume =
+      is_precise(s.map.w) && surely_positive(s.map.w) ? box_in_clip_volume(s.input, s.map, *box) : Answer::unknown;
   if (in_clip_volume == Answer::unknown) {
     const std::optional<HitMap<Bounded>> map = exact_hit_map(s.input);
     if (!map) return std::nullopt;
@@ -148,7 +149,8 @@ std::optional<Surfel> make_surfel(const glm::vec3& centre, const glm::vec3& norm
 }
 
 bool covers(const Surfel& s, glm::ivec2 p_fx8) {
-  const bool in_box = p_fx8.x >= s.low_fx8.x && p_fx8.x <= s.high_fx8.x && p_fx8.y >= s.low_fx8.y && p_fx8.y <= s.high_fx8.y;
+  const bool in_box =
+      p_fx8.x >= s.low_fx8.x && p_fx8.x <= s.high_fx8.x && p_fx8.y >= s.low_fx8.y && p_fx8.y <= s.high_fx8.y;
   if (!in_box) return false;
   const Triple<Bounded> k = bounded_from_centre(s.input, p_fx8);
   Answer answer = hits_disc(s.map, k);

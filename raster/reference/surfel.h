@@ -18,9 +18,9 @@ namespace lode::raster::reference {
 
 struct Surfel {
   SurfelInput input;
-  HitMap<Bounded> map;                        ///< w > 0
-  glm::ivec2 low_fx8{0, 0}, high_fx8{0, 0};   ///< closed box around all covered samples, in the guard band
-  bool inside_clip_volume = false;            ///< true: none of the box's samples is clipped or hits behind the eye
+  HitMap<Bounded> map;                       ///< w > 0
+  glm::ivec2 low_fx8{0, 0}, high_fx8{0, 0};  ///< closed box around all covered samples, in the guard band
+  bool inside_clip_volume = false;           ///< true: none of the box's samples is clipped or hits behind the eye
 };
 
 /// A NaN in the centre or the normal: such a surfel is bad data, counted as not finite.

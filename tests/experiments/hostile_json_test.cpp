@@ -92,6 +92,13 @@ TEST(HostileJson, DeepNestingIsRefusedNotFollowed) {
   EXPECT_EQ(run.status, 3);
   EXPECT_TRUE(is_one_error_line(run.err));
   expect_done_or_bad_input(R"({"size": )" + deep + std::string(100000, ']') + "}", "deep arrays");
+  // The object is one level; 31 arrays in it are 32.
+  const auto error_of = [](int n) {
+    const std::string arrays = std::string(std::size_t(n), '[') + std::string(std::size_t(n), ']');
+    return run_lodestone({"draw", "-", "--stats", "-"}, R"({"size": )" + arrays + "}").err;
+  };
+  EXPECT_EQ(error_of(31).find("nested deeper"), std::string::npos);
+  EXPECT_NE(error_of(32).find("nested deeper than 32 levels"), std::string::npos);
   std::string objects;
   for (int i = 0; i < 100000; ++i) objects += R"({"draws":)";
   expect_done_or_bad_input(objects, "deep objects");

@@ -55,7 +55,15 @@ class Bytes {
     return std::abs(value) > double(std::numeric_limits<float>::max()) ? std::copysign(std::numeric_limits<float>::infinity(), float(value > 0) - 0.5f)
                                                                        : float(value);
   }
-  int integer() { return seldom() ? raw<std::int32_t>() : int(raw<std::int8_t>()); }
+  int integer() {
+    static constexpr int kHostile[] = {std::numeric_limits<int>::min(), std::numeric_limits<int>::max(), -1, 0, 1, 16384, 32768, 65536, 65537,
+                                       -65536, -65537, 1 << 30};
+    switch (byte() % 16) {
+      case 0: return kHostile[below(int(std::size(kHostile)))];
+      case 1: return raw<std::int32_t>();
+      default: return raw<std::int8_t>();
+    }
+  }
 
  private:
   const std::uint8_t* data_;

@@ -28,7 +28,8 @@ Pair leaf(const CounterRandom& random, std::uint64_t purpose) {
   const int range = random.integer(purpose, 0, 9);
   const int exponent = range < 5    ? random.integer(purpose + 1, -3, 3)
                        : range == 5 ? random.integer(purpose + 1, 400, 1020)
-                       : range < 9  ? random.integer(purpose + 1, -1074, -480) : -2000;
+                       : range < 9  ? random.integer(purpose + 1, -1074, -480)
+                                    : -2000;
   const double x = std::ldexp(random.real(purpose + 2), exponent);
   return {{x, 0.0}, mpq_class(x)};
 }
@@ -45,9 +46,14 @@ TEST(Bounded, EnclosesTheExactValueOfEveryExpression) {
         q = {q.bounded * r.bounded, q.exact * r.exact};
       }
       switch (random.integer(10 * step + 8, 0, 2)) {
-        case 0: p = {p.bounded + q.bounded, p.exact + q.exact}; break;
-        case 1: p = {p.bounded - q.bounded, p.exact - q.exact}; break;
-        default: p = {p.bounded * q.bounded, p.exact * q.exact};
+        case 0:
+          p = {p.bounded + q.bounded, p.exact + q.exact};
+          break;
+        case 1:
+          p = {p.bounded - q.bounded, p.exact - q.exact};
+          break;
+        default:
+          p = {p.bounded * q.bounded, p.exact * q.exact};
       }
       ASSERT_TRUE(encloses(p)) << "case " << i << " step " << step;
     }

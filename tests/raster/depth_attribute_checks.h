@@ -31,7 +31,7 @@ inline void expect_contract(const Measured& m) {
 }
 
 /// A triangle, or a line in its first two corners.
-struct Corners {
+struct CornerData {
   std::array<glm::ivec2, 3> p_fx8;
   std::array<double, 3> z{};
   std::array<std::int64_t, 3> w{1, 1, 1};
@@ -53,8 +53,8 @@ inline float whole_attribute(HashedNumbers& numbers) {
   return numbers.below(2) == 0 ? value : -value;
 }
 
-inline Corners random_corners(HashedNumbers& numbers, const Family& family) {
-  Corners c;
+inline CornerData random_corners(HashedNumbers& numbers, const Family& family) {
+  CornerData c;
   const int n = family.topology == Topology::lines ? 2 : 3;
   const glm::ivec2 size_fx8 = 256 * family.size_px;
   const auto near_target = [&] {
@@ -97,18 +97,18 @@ inline Corners random_corners(HashedNumbers& numbers, const Family& family) {
 }
 
 /// Puts corners into clip space so that they land exactly on their snapped positions.
-inline glm::dvec4 clip_corner(const Corners& c, std::size_t i, glm::ivec2 size_px) {
+inline glm::dvec4 clip_corner(const CornerData& c, std::size_t i, glm::ivec2 size_px) {
   const glm::dvec2 half_fx8 = 128.0 * glm::dvec2(size_px);
   const double w = double(c.w[i]);
   return {(c.p_fx8[i].x - half_fx8.x) / half_fx8.x * w, (half_fx8.y - c.p_fx8[i].y) / half_fx8.y * w, 1.0, w};
 }
 
-inline void add_corners(Scene& scene, const std::vector<Corners>& all, const Family& family) {
+inline void add_corners(SmallScene& scene, const std::vector<CornerData>& all, const Family& family) {
   const std::size_t n = family.topology == Topology::lines ? 2 : 3;
   std::vector<glm::dvec3> window;
   std::vector<glm::dvec4> clip;
   std::vector<glm::vec4> colors;
-  for (const Corners& c : all) {
+  for (const CornerData& c : all) {
     for (std::size_t i = 0; i < n; ++i) {
       if (family.perspective) clip.push_back(clip_corner(c, i, family.size_px));
       if (!family.perspective) window.push_back({c.p_fx8[i].x / 256.0, c.p_fx8[i].y / 256.0, c.z[i]});
@@ -119,7 +119,7 @@ inline void add_corners(Scene& scene, const std::vector<Corners>& all, const Fam
   draw.colors = scene.keep(std::move(colors));
 }
 
-inline EdgeValues edges_at(const Corners& c, Topology topology, glm::ivec2 p_fx8) {
+inline EdgeValues edges_at(const CornerData& c, Topology topology, glm::ivec2 p_fx8) {
   return topology == Topology::lines ? line_edges(c.p_fx8, p_fx8) : triangle_edges(c.p_fx8, p_fx8);
 }
 
@@ -129,15 +129,15 @@ inline Measured check_pictures(const Family& family, std::uint64_t n_samples, st
   HashedNumbers numbers(seed);
   const bool line = family.topology == Topology::lines;
   while (m.samples < n_samples) {
-    std::vector<Corners> all;
+    std::vector<CornerData> all;
     for (int k = 0; k < family.primitives; ++k) all.push_back(random_corners(numbers, family));
-    Scene scene(family.size_px, ColorFormat::rgba32f);
+    SmallScene scene(family.size_px, ColorFormat::rgba32f);
     add_corners(scene, all, family);
     scene.render();
     for (std::size_t i = 0; i < scene.image.ids.size(); ++i) {
       if (scene.image.ids[i].draw == kNoId) continue;
       ++m.samples;
-      const Corners& c = all[scene.image.ids[i].primitive];
+      const CornerData& c = all[scene.image.ids[i].primitive];
       const glm::ivec2 pixel = {int(i) % family.size_px.x, int(i) / family.size_px.x};
       EdgeValues e = edges_at(c, family.topology, 256 * pixel + 128);
       const std::array<double, 3> z = {c.z[0], c.z[1], line ? c.z[1] : c.z[2]};

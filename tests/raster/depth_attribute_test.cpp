@@ -55,7 +55,7 @@ TEST(Depth, HalfWayBetweenTwoFloatsGoesToTheEvenOneBecauseItIsDividedNotMultipli
   for (int k = 0; k < 500; ++k) {
     const double x0 = numbers.between(0, 60) / 256.0, x1 = numbers.between(440, 512) / 256.0, x2 = numbers.between(0, 512) / 256.0;
     const double y1 = numbers.between(0, 60) / 256.0, y2 = numbers.between(440, 512) / 256.0;
-    Scene scene({2, 2});
+    SmallScene scene({2, 2});
     scene.window(Topology::triangles, {{x0, 0, z_at(x0)}, {x1, y1, z_at(x1)}, {x2, y2, z_at(x2)}});
     scene.render();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -75,7 +75,7 @@ TEST(Depth, OfAFlatTriangleIsThatOfItsVerticesHoweverItRounds) {
     const float low = float(0.1 + 0.8 * numbers.unit());
     const double z = 0.5 * (double(low) + double(std::nextafter(low, 1.0f)));
     const auto corner = [&] { return glm::dvec3{48.0 * numbers.unit() - 16.0, 48.0 * numbers.unit() - 16.0, z}; };
-    Scene scene({16, 16});
+    SmallScene scene({16, 16});
     scene.window(Topology::triangles, {corner(), corner(), corner()});
     scene.window(Topology::lines, {corner(), corner()});
     scene.render();
@@ -89,7 +89,7 @@ TEST(Depth, OfAFlatTriangleIsThatOfItsVerticesHoweverItRounds) {
 TEST(Depth, GrowsTowardsTheEyeAndEndsAtOneAndZero) {
   // Perspective, near 1: depth 1/d. A plane from d = 1 at the bottom edge to d = 2^30 at the top one; above 1 in clip
   // space it is cut, below 0 there is nothing with an infinite far plane.
-  Scene scene({1, 64});
+  SmallScene scene({1, 64});
   scene.clip(Topology::quads, {{-1, -1, 1, 1}, {1, -1, 1, 1}, {0x1p30, 0x1p30, 1, 0x1p30}, {-0x1p30, 0x1p30, 1, 0x1p30}});
   scene.render();
   for (std::size_t i = 0; i + 1 < 64; ++i) {
@@ -99,7 +99,7 @@ TEST(Depth, GrowsTowardsTheEyeAndEndsAtOneAndZero) {
 }
 
 TEST(Depth, HasOneZero) {
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   scene.window(Topology::triangles, {{0, 0, -0.0}, {0, 8, 0.0}, {8, 0, -0.0}});
   scene.clip(Topology::triangles, {{1, 1, -0.0, 1}, {-1, 1, -0.0, 1}, {1, -1, -0.0, 1}}).draw_id = 7;
   scene.window(Topology::lines, {{0, 0, -0.0}, {8, 8, -0.0}}).draw_id = 0;
@@ -111,7 +111,7 @@ TEST(Depth, HasOneZero) {
 TEST(Attributes, AreAffineWhereTheThreeWAreBitwiseEqual) {
   // With one w of 3 the weights are Eᵢ/ΣEⱼ as with w = 1: the same bits, though Eᵢ/3 would be rounded.
   for (const double w : {3.0, 0.1, 1e6}) {
-    Scene plain({32, 32}, ColorFormat::rgba32f), scaled_by_w({32, 32}, ColorFormat::rgba32f);
+    SmallScene plain({32, 32}, ColorFormat::rgba32f), scaled_by_w({32, 32}, ColorFormat::rgba32f);
     const std::vector<glm::dvec4> corners = {{-0.75, -0.5, 0.5, 1}, {0.875, -0.25, 0.5, 1}, {0.125, 0.9375, 0.5, 1}};
     const std::vector<glm::vec4> colors = {{1, 0.3f, 0, 1}, {0, 0.7f, 1, 1}, {0.1f, 0, 0.9f, 0.4f}};
     std::vector<glm::dvec4> larger;
@@ -129,7 +129,7 @@ TEST(Attributes, AreAffineWhereTheThreeWAreBitwiseEqual) {
 Image picture_of_turned(const std::vector<glm::dvec4>& corners, const std::array<std::size_t, 3>& order, bool window) {
   const std::vector<glm::vec4> colors = {{0.9f, 0.1f, 0.3f, 1}, {-2, 0.7f, 1e9f, 0.3f}, {0.2f, 3, -0.9f, 0.4f}};
   const std::vector<glm::vec2> uvs = {{0.1f, 3.7f}, {-8, 0.33f}, {1.9f, 2.2f}};
-  Scene scene({24, 24}, ColorFormat::rgba32f);
+  SmallScene scene({24, 24}, ColorFormat::rgba32f);
   std::vector<glm::dvec4> p;
   std::vector<glm::dvec3> p_window;
   std::vector<glm::vec4> c;

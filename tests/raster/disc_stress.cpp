@@ -37,7 +37,8 @@ void compare(const char* name, std::uint64_t seed, Oracle oracle) {
   for (std::uint64_t i = 0; i < count; ++i) {
     const CounterRandom random{seed, i};
     const int size = random.integer(0, 0, 3) == 0   ? random.integer(1, 1, kMaxSize_fx8)
-                     : random.integer(0, 0, 3) == 1 ? 128 * random.integer(1, 1, 40) : random.integer(1, 1, 2000);
+                     : random.integer(0, 0, 3) == 1 ? 128 * random.integer(1, 1, 40)
+                                                    : random.integer(1, 1, 2000);
     const int limit = i % 4 == 0 ? kGuard_fx8 : 2000;
     const glm::ivec2 c{random.integer(2, -limit, limit), random.integer(3, -limit, limit)};
     const glm::ivec2 sample{random.integer(4, 0, 4) * 51, random.integer(5, 0, 255)};

@@ -32,7 +32,8 @@ TEST(PointCoverage, TheTestOfASampleKnowsTheSidesByItself) {
   const Square s{{512, 512}, 768, 0.5};  // from 128 to 896
   EXPECT_TRUE(covers(s, {128, 128}));
   EXPECT_TRUE(covers(s, {895, 895}));
-  for (const glm::ivec2 outside : {glm::ivec2{127, 500}, {500, 127}, {896, 500}, {500, 896}}) EXPECT_FALSE(covers(s, outside));
+  for (const glm::ivec2 outside : {glm::ivec2{127, 500}, {500, 127}, {896, 500}, {500, 896}})
+    EXPECT_FALSE(covers(s, outside));
 }
 
 TEST(PointCoverage, OneSubPixelMoreOrLessMovesASide) {

@@ -18,7 +18,7 @@ inline glm::dmat4 perspective(double near) {
 
 /// Adds draws of every kind, in a frame of any size from 32×16 up: solid, cut out, blended, textured, lit, clipped at
 /// the near plane and the guard band, stippled, culled, partly NaN.
-inline void add_everything(Scene& scene) {
+inline void add_everything(SmallScene& scene) {
   HashedNumbers numbers(2024);
   const bool bytes = scene.image.format == ColorFormat::rgba8;
   const float full = bytes ? 255.0f : 1.0f;

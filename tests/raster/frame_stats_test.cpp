@@ -16,7 +16,7 @@ struct Count {
 };
 std::ostream& operator<<(std::ostream& out, const Count& c) { return out << c.covered << " covered, " << c.visible << " visible"; }
 
-std::vector<Count> counts_of(Scene& scene) {
+std::vector<Count> counts_of(SmallScene& scene) {
   std::vector<DrawStats> stats(scene.draws.size(), {12345, 12345});  // whatever was there is overwritten
   scene.render({.threads = 1, .per_draw = stats});
   std::vector<Count> counts;
@@ -25,7 +25,7 @@ std::vector<Count> counts_of(Scene& scene) {
 }
 
 TEST(DrawStats, CountSamplesAfterTheAlphaTestAndSamplesOwnedAtTheEnd) {
-  Scene scene({4, 4});
+  SmallScene scene({4, 4});
   scene.rect({0, 0}, {4, 4}, 0.25, kBlue);                    // 16 covered; loses 4 to draw 1
   scene.rect({1, 1}, {3, 3}, 0.5, kRed);                      // 4 covered, 4 owned
   scene.rect({0, 0}, {4, 1}, 0.125, kRed);                    // 4 covered, all hidden by draw 0
@@ -35,7 +35,7 @@ TEST(DrawStats, CountSamplesAfterTheAlphaTestAndSamplesOwnedAtTheEnd) {
 }
 
 TEST(DrawStats, CountSamplesThatPassedTheDepthTestForDrawsThatBlendOrWriteNoDepth) {
-  Scene scene({4, 4});
+  SmallScene scene({4, 4});
   scene.rect({0, 0}, {4, 2}, 0.5, kBlue);                // 8 covered, 8 owned: what follows writes no depth
   scene.rect({0, 0}, {4, 4}, 0.25, kRed).blend = Blend::add;  // 16 covered, 8 hidden
   scene.rect({0, 0}, {4, 4}, 0.75, kRed).blend = Blend::over;  // 16 covered, 16 passed
@@ -47,7 +47,7 @@ TEST(DrawStats, CountSamplesThatPassedTheDepthTestForDrawsThatBlendOrWriteNoDept
 }
 
 TEST(DrawStats, GiveASampleToTheOpaqueOrderedDrawThatLastWroteItsDepth) {
-  Scene scene({4, 1});
+  SmallScene scene({4, 1});
   scene.rect({0, 0}, {4, 1}, 0.5, kBlue);  // 4 covered, 2 left
   Draw& untested = scene.rect({1, 0}, {3, 1}, 0.25, kRed);
   untested.depth_test = false;  // 2 covered, 2 owned
@@ -55,14 +55,14 @@ TEST(DrawStats, GiveASampleToTheOpaqueOrderedDrawThatLastWroteItsDepth) {
 }
 
 TEST(DrawStats, CountByTheDrawsPlaceInTheFrameNotByItsId) {
-  Scene scene({2, 1});
+  SmallScene scene({2, 1});
   scene.rect({0, 0}, {1, 1}, 0.5, kBlue).draw_id = 1;
   scene.rect({0, 0}, {2, 1}, 0.25, kRed).draw_id = 0;
   EXPECT_EQ(counts_of(scene), (std::vector<Count>{{1, 1}, {2, 1}}));
 }
 
 TEST(DrawStats, AreZeroedForATargetWithoutPixels) {
-  Scene scene({0, 4});
+  SmallScene scene({0, 4});
   scene.rect({0, 0}, {1, 1}, 0.5, kBlue);
   EXPECT_EQ(counts_of(scene), (std::vector<Count>{{0, 0}}));
 }
@@ -77,7 +77,7 @@ TEST(DrawStats, AreZeroedForATargetWithoutPixels) {
 //   draw 5  triangles: one with a NaN, one without area, one clockwise on screen and so culled
 // Shaded: 64 + 16 visible opaque samples once each, 32 for the alpha test, 16 blended.
 TEST(FrameStats, CountAWindowSpaceFrame) {
-  Scene scene({16, 16});
+  SmallScene scene({16, 16});
   scene.rect({0, 0}, {8, 8}, 0.5, kBlue);
   scene.rect({4, 0}, {12, 4}, 0.25, kRed);
   scene.rect({0, 14}, {16, 16}, 0.75, {0, 0, 0, 0}).alpha_test = 0.5f;
@@ -111,7 +111,7 @@ TEST(FrameStats, CountAWindowSpaceFrame) {
 //   triangle 3  all corners behind the eye: outside
 //   triangle 4  triangle 0 clockwise: kept, as nothing is culled; 28 samples, all hidden
 TEST(FrameStats, CountAClipSpaceFrame) {
-  Scene scene({8, 8});
+  SmallScene scene({8, 8});
   scene.clip(Topology::triangles, {{-1, -1, 0.5, 1}, {1, -1, 0.5, 1}, {-1, 1, 0.5, 1},
                                    {-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 2, 1},
                                    {-1, -1, 2, 1}, {1, -1, 2, 1}, {-1, 1, 2, 1},
@@ -135,7 +135,7 @@ TEST(FrameStats, CountTexelsThatTheFilterFetched) {
   const std::vector<glm::u8vec4> texels(4, glm::u8vec4(255));
   const Texture texture = make_raw_texture({2, 2}, texels, Mips::none);
   for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    Scene scene({8, 8});
+    SmallScene scene({8, 8});
     Draw& draw = scene.rect({0, 0}, {8, 8}, 0.5, kRed);
     draw.uvs = scene.keep<glm::vec2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     draw.texture = &texture;
@@ -146,7 +146,7 @@ TEST(FrameStats, CountTexelsThatTheFilterFetched) {
 }
 
 TEST(FrameStats, CountNoShadingWithoutAColourPlaneExceptForAlphaTests) {
-  Scene scene({4, 4}, ColorFormat::rgba8, {.color = false});
+  SmallScene scene({4, 4}, ColorFormat::rgba8, {.color = false});
   scene.rect({0, 0}, {4, 4}, 0.5, kRed);
   scene.rect({0, 0}, {2, 2}, 0.75, kRed).alpha_test = 0.5f;
   scene.rect({0, 0}, {1, 1}, 0.875, kRed).blend = Blend::over;
@@ -158,7 +158,7 @@ TEST(FrameStats, CountNoShadingWithoutAColourPlaneExceptForAlphaTests) {
 
 // Every sample position counts anew; tiles do not.
 TEST(FrameStats, CountFragmentsOfEverySamplePosition) {
-  Scene scene({4, 4}, ColorFormat::rgba8, {.color = true, .depth = false, .ids = false});
+  SmallScene scene({4, 4}, ColorFormat::rgba8, {.color = true, .depth = false, .ids = false});
   const glm::ivec2 samples[] = {{64, 64}, {192, 64}, {128, 192}};
   scene.frame.samples_fx8 = samples;
   scene.rect({1, 1}, {3, 3}, 0.5, kRed);
@@ -170,7 +170,7 @@ TEST(FrameStats, CountFragmentsOfEverySamplePosition) {
 }
 
 TEST(FrameStats, CountDrawsAndPrimitivesForATargetWithoutPixels) {
-  Scene scene({4, 0});
+  SmallScene scene({4, 0});
   scene.rect({0, 0}, {1, 1}, 0.5, kBlue);
   scene.rect({0, 0}, {1, 1}, 0.5, kBlue).blend = Blend::over;
   const FrameStats stats = scene.render();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -40,7 +41,8 @@ Ends random_ends(const CounterRandom& random) {
       return {{64 * any(1, 16), 64 * any(2, 16)}, {64 * any(3, 16), 64 * any(4, 16)}};
     case 2: {  // slivers: up to 65,536 px long, at most a few sub-pixels high
       const int y = any(2, 1000);
-      return in_any_octant(random, {-random.integer(1, 0, kGuard_fx8), y}, {random.integer(3, 0, kGuard_fx8), y + any(4, 3)});
+      return in_any_octant(random, {-random.integer(1, 0, kGuard_fx8), y},
+                           {random.integer(3, 0, kGuard_fx8), y + any(4, 3)});
     }
     case 3: {  // within a few sub-pixels of 45°
       const int length = random.integer(3, 1, kGuard_fx8 - 2000), y = any(2, 1000);
@@ -114,7 +116,8 @@ TEST(LineStress, LongLinesHaveOneFragmentAColumnInOrderAndAnyWindowHasItsShare) 
     std::sort(strips.begin(), strips.end());
     ASSERT_EQ(strips, covered(line, all)) << "case " << i;
   }
-  std::printf("lines: %llu, fragments: %llu\n", static_cast<unsigned long long>(count), static_cast<unsigned long long>(fragments));
+  std::printf("lines: %llu, fragments: %llu\n", static_cast<unsigned long long>(count),
+              static_cast<unsigned long long>(fragments));
 }
 
 TEST(LineStress, ASegmentCutInItsOwnPointsHasTheSameFragmentsOnceEach) {
@@ -148,7 +151,7 @@ TEST(LineStress, ClosedConvexOutlinesHaveEachPixelOnceAndNoGap) {
     // two sides meet at 135° and share the corner's pixel only.
     const CounterRandom random{104, i};
     const int right = random.integer(0, 1, 30), diagonal = random.integer(1, 1, 30), down = random.integer(2, 1, 30);
-    const glm::ivec2 sides[] = {{right, 0}, {diagonal, diagonal}, {0, down}, {-diagonal, diagonal},
+    const glm::ivec2 sides[] = {{right, 0},  {diagonal, diagonal},   {0, down},  {-diagonal, diagonal},
                                 {-right, 0}, {-diagonal, -diagonal}, {0, -down}, {diagonal, -diagonal}};
     const bool reversed = random.integer(3, 0, 1) == 1;
     glm::ivec2 at{random.integer(4, -50, 50), random.integer(5, -50, 50)};

@@ -28,7 +28,8 @@ Pixels oracle_covered(const Line& line, const PixelBox& window, glm::ivec2 sampl
   Pixels pixels;
   for (int y = window.begin_px.y; y < window.end_px.y; ++y) {
     for (int x = window.begin_px.x; x < window.end_px.x; ++x) {
-      if (oracle_exits_diamond(line.a_fx8, line.b_fx8, sample_position_fx8({x, y}, sample_fx8))) pixels.emplace_back(y, x);
+      if (oracle_exits_diamond(line.a_fx8, line.b_fx8, sample_position_fx8({x, y}, sample_fx8)))
+        pixels.emplace_back(y, x);
     }
   }
   return pixels;
@@ -169,7 +170,8 @@ TEST(LineCoverage, ClosedConvexOutlineHasNoGapAndNoDouble) {
   // Corners on pixel centres, turning by less than 90°.
   const glm::ivec2 corners[] = {{5, 0}, {9, 0}, {14, 3}, {14, 8}, {10, 12}, {4, 12}, {0, 9}, {0, 4}};
   Pixels pixels;
-  for (std::size_t i = 0; i < 8; ++i) add_covered(pixels, centre_line(corners[i], corners[(i + 1) % 8]), {{0, 0}, {15, 13}});
+  for (std::size_t i = 0; i < 8; ++i)
+    add_covered(pixels, centre_line(corners[i], corners[(i + 1) % 8]), {{0, 0}, {15, 13}});
   EXPECT_EQ(picture(pixels, {15, 13}), R"(
 .....#####.....
 ....#.....##...
@@ -187,7 +189,9 @@ TEST(LineCoverage, ClosedConvexOutlineHasNoGapAndNoDouble) {
 )");
 }
 
-TEST(LineCoverage, EqualEndsMakeNoLine) { EXPECT_FALSE(make_line({{7, 9}, 0.5, 1.0}, {{7, 9}, 0.25, 2.0}).has_value()); }
+TEST(LineCoverage, EqualEndsMakeNoLine) {
+  EXPECT_FALSE(make_line({{7, 9}, 0.5, 1.0}, {{7, 9}, 0.25, 2.0}).has_value());
+}
 
 TEST(LineCoverage, AcrossTheWholeGuardBandEveryColumnHasOneFragment) {
   const int guard = kGuard_fx8;

@@ -13,23 +13,23 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::nume
 std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// A draw that covers the target and has the same uv, vertex colour and normal everywhere.
-Draw& cover(Scene& scene, double z = 0.5) {
+Draw& cover(SmallScene& scene, double z = 0.5) {
   return scene.rect({0, 0}, scene.image.size_px, z, {255, 255, 255, 255});
 }
 
 TEST(Material, IsWhiteByDefaultInTheTargetsUnit) {
-  Scene bytes({1, 1});
+  SmallScene bytes({1, 1});
   cover(bytes).color.reset();
   bytes.render();
   EXPECT_EQ(bytes.image.rgba8[0], glm::u8vec4(255));
-  Scene floats({1, 1}, ColorFormat::rgba32f);
+  SmallScene floats({1, 1}, ColorFormat::rgba32f);
   cover(floats).color.reset();
   floats.render();
   EXPECT_EQ(floats.image.rgba32f[0], glm::vec4(1.0f));
 }
 
 TEST(Material, IsDrawColourTimesVertexColourTimesTexelRoundedOnceHalfUp) {
-  Scene scene({1, 1});
+  SmallScene scene({1, 1});
   // 200·100/255·51/255 = 15.68…; 255·255/255·51/255 = 51; 10·1/255·255/255 = 0.039…; 128·254/255·255/255 = 127.498…
   Draw& draw = cover(scene);
   draw.color = glm::vec4(200, 255, 10, 128);
@@ -43,14 +43,14 @@ TEST(Material, IsDrawColourTimesVertexColourTimesTexelRoundedOnceHalfUp) {
 }
 
 TEST(Material, RoundsHalvesUpAndKeepsWholeCodes) {
-  Scene scene({1, 1});
+  SmallScene scene({1, 1});
   cover(scene).color = glm::vec4(0.5f, 1.49f, 254.5f, 300.0f);
   scene.render();
   EXPECT_EQ(scene.image.rgba8[0], glm::u8vec4(1, 1, 255, 255));
 }
 
 TEST(Material, OfARawTextureIsFractionsOfOneInAFloatTarget) {
-  Scene scene({1, 1}, ColorFormat::rgba32f);
+  SmallScene scene({1, 1}, ColorFormat::rgba32f);
   const std::vector<glm::u8vec4> texel(1, {51, 102, 255, 255});
   const Texture texture = make_raw_texture({1, 1}, texel, Mips::none);
   Draw& draw = cover(scene);
@@ -62,7 +62,7 @@ TEST(Material, OfARawTextureIsFractionsOfOneInAFloatTarget) {
 }
 
 TEST(Material, OfALinearTextureIsItsTexels) {
-  Scene scene({1, 1}, ColorFormat::rgba32f);
+  SmallScene scene({1, 1}, ColorFormat::rgba32f);
   const std::vector<glm::vec4> texel(1, {0.25f, 7.0f, 0.0f, 0.5f});
   const Texture texture = make_linear_texture({1, 1}, texel, Mips::none);
   Draw& draw = cover(scene);
@@ -75,7 +75,7 @@ TEST(Material, OfALinearTextureIsItsTexels) {
 
 // Four texels over 4×2 pixels, nearest: each corner of the picture shows its own.
 TEST(Material, PutsTheTextureUprightWithVZeroAtTheTop) {
-  Scene scene({4, 2});
+  SmallScene scene({4, 2});
   const std::vector<glm::u8vec4> texels = {{10, 0, 0, 255}, {20, 0, 0, 255}, {30, 0, 0, 255}, {40, 0, 0, 255}};
   const Texture texture = make_raw_texture({2, 2}, texels, Mips::none);
   Draw& draw = cover(scene);
@@ -88,7 +88,7 @@ TEST(Material, PutsTheTextureUprightWithVZeroAtTheTop) {
 
 TEST(FloatTarget, HoldsOneNanAndNoNegativeZeroFromClearDrawAndBlend) {
   for (const Blend blend : {Blend::none, Blend::over, Blend::add}) {
-    Scene scene({2, 1}, ColorFormat::rgba32f);
+    SmallScene scene({2, 1}, ColorFormat::rgba32f);
     scene.frame.clear = {std::bit_cast<float>(0xFFFFFFFFu), -0.0f, -kInf, 1.0f};
     Draw& draw = scene.rect({0, 0}, {1, 1}, 0.5, {std::bit_cast<float>(0xFF800001u), -0.0f, kInf, 0.0f});
     draw.blend = blend;
@@ -104,7 +104,7 @@ TEST(FloatTarget, HoldsOneNanAndNoNegativeZeroFromClearDrawAndBlend) {
 }
 
 TEST(ByteTarget, StoresNanAsZeroAndClampsInfinities) {
-  Scene scene({1, 1});
+  SmallScene scene({1, 1});
   scene.frame.clear = {kNan, 1, 1, 1};
   cover(scene).color = glm::vec4(kNan, kInf, -kInf, -0.0f);
   scene.render();
@@ -115,7 +115,7 @@ TEST(Blending, OnBytesStoresTheSourceFirstThenRoundsTheResultHalfUp) {
   // Source 100.5 is stored as 101, alpha 51 (⅕). Over 200: 101 + ⌊200·204/255 + ½⌋ = 101 + 160. Alpha over 255:
   // 51 + 204. Add: 301, held at 255; 51 + 255 held at 255.
   for (const Blend blend : {Blend::over, Blend::add}) {
-    Scene scene({1, 1});
+    SmallScene scene({1, 1});
     scene.frame.clear = {200, 10, 0, 255};
     Draw& draw = cover(scene);
     draw.color = glm::vec4(100.5f, 3, 0, 51);
@@ -127,7 +127,7 @@ TEST(Blending, OnBytesStoresTheSourceFirstThenRoundsTheResultHalfUp) {
 
 TEST(Blending, OnFloatsIsPremultipliedAndUnclamped) {
   for (const Blend blend : {Blend::over, Blend::add}) {
-    Scene scene({1, 1}, ColorFormat::rgba32f);
+    SmallScene scene({1, 1}, ColorFormat::rgba32f);
     scene.frame.clear = {4.0f, 0.5f, 0.0f, 1.0f};
     Draw& draw = cover(scene);
     draw.color = glm::vec4(8.0f, 0.25f, 0.125f, 0.25f);
@@ -143,7 +143,7 @@ TEST(Quads, BlendEverySampleExactlyOnceAlongTheirDiagonals) {
   // A square whose diagonals run through sample centres, and a lopsided quad inside a bigger target.
   for (const auto& corners : {std::vector<glm::dvec3>{{0, 0, 0.5}, {8, 0, 0.5}, {8, 8, 0.5}, {0, 8, 0.5}},
                               std::vector<glm::dvec3>{{0, 8, 0.5}, {0, 0, 0.5}, {8, 0, 0.5}, {8, 8, 0.5}}}) {
-    Scene scene({8, 8});
+    SmallScene scene({8, 8});
     Draw& draw = scene.window(Topology::quads, corners);
     draw.color = glm::vec4(1, 0, 0, 0);
     draw.blend = Blend::add;
@@ -155,7 +155,7 @@ TEST(Quads, BlendEverySampleExactlyOnceAlongTheirDiagonals) {
 TEST(Quads, AreTrianglesZeroOneTwoAndZeroTwoThree) {
   const std::vector<glm::dvec3> p = {{1.3, 0.4, 0.1}, {7.2, 2.5, 0.9}, {6.1, 7.7, 0.3}, {0.6, 5.2, 0.7}};
   const std::vector<glm::vec4> c = {{250, 0, 9, 255}, {0, 250, 9, 255}, {9, 0, 250, 255}, {99, 99, 99, 255}};
-  Scene quad({8, 8}), triangles({8, 8});
+  SmallScene quad({8, 8}), triangles({8, 8});
   quad.window(Topology::quads, p).colors = quad.keep(c);
   Draw& pair = triangles.window(Topology::triangles, {p[0], p[1], p[2], p[0], p[2], p[3]});
   pair.colors = triangles.keep<glm::vec4>({c[0], c[1], c[2], c[0], c[2], c[3]});
@@ -168,7 +168,7 @@ TEST(Quads, AreTrianglesZeroOneTwoAndZeroTwoThree) {
 TEST(Shader, SeesThePixelAndItsInterpolatedInputs) {
   // A right triangle on 8×8 pixels, affine: at the sample (x + ½, y + ½) the weights are known exactly, because 8 is a
   // power of two. Attributes grow by 1 a pixel: uv = (x, y) / 8, normal = (x, y, 1) from 0 at the corner.
-  Scene scene({8, 8}, ColorFormat::rgba32f);
+  SmallScene scene({8, 8}, ColorFormat::rgba32f);
   Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.25}, {0, 8, 0.25}, {8, 0, 0.75}});
   draw.uvs = scene.keep<glm::vec2>({{0, 0}, {0, 1}, {1, 0}});
   draw.normals = scene.keep<glm::vec3>({{0, 0, 1}, {0, 8, 1}, {8, 0, 1}});
@@ -198,7 +198,7 @@ TEST(Shader, SeesThePixelAndItsInterpolatedInputs) {
 }
 
 TEST(Shader, SeesZeroNormalWhiteTexelAndZeroUvWhereTheDrawHasNone) {
-  Scene scene({1, 1});
+  SmallScene scene({1, 1});
   cover(scene).shader = pixel_shader([](const Pixel& p) {
     const bool right = p.normal == glm::vec3(0) && p.uv == glm::vec2(0) && p.texel == glm::vec4(255) &&
                        p.material == glm::vec4(255) && p.draw == 0 && p.primitive == 0;
@@ -209,7 +209,7 @@ TEST(Shader, SeesZeroNormalWhiteTexelAndZeroUvWhereTheDrawHasNone) {
 }
 
 TEST(Shader, SeesWhichSideFacesTheEye) {
-  Scene scene({2, 1});
+  SmallScene scene({2, 1});
   // Counter-clockwise on screen (y down), then clockwise.
   Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.5}, {0, 1, 0.5}, {1, 0.4, 0.5}, {1, 0, 0.5}, {2, 0.4, 0.5}, {1, 1, 0.5}});
   draw.shader = pixel_shader([](const Pixel& p) { return glm::vec4(p.front_facing ? 1.0f : 2.0f); });
@@ -218,7 +218,7 @@ TEST(Shader, SeesWhichSideFacesTheEye) {
 }
 
 TEST(Shader, DecidesTheAlphaTest) {
-  Scene scene({4, 1});
+  SmallScene scene({4, 1});
   Draw& draw = cover(scene);
   draw.alpha_test = 0.5f;
   draw.shader = pixel_shader([](const Pixel& p) { return glm::vec4(9, 9, 9, p.x_px % 2 == 0 ? 255 : 0); });
@@ -228,7 +228,7 @@ TEST(Shader, DecidesTheAlphaTest) {
 
 TEST(Shader, RunsOnceForEveryVisibleSampleOfOrderFreeDraws) {
   // 100 pixels in a row: two batches of at most kMaxShadeBatch; what is hidden is not shaded.
-  Scene scene({100, 1});
+  SmallScene scene({100, 1});
   const auto mark = [](float value) { return pixel_shader([value](const Pixel& p) { return glm::vec4(value, float(p.x_px), 0, 0); }); };
   cover(scene, 0.25).shader = mark(1);
   scene.rect({10, 0}, {95, 1}, 0.5, {}).shader = mark(2);
@@ -243,7 +243,7 @@ TEST(LambertShader, LightsTheMaterialByTheInterpolatedNormal) {
   // From behind: ambient alone, 50; two-sided: 140 again. Alpha is kept.
   for (const bool behind : {false, true}) {
     for (const bool two_sided : {false, true}) {
-      Scene scene({1, 1});
+      SmallScene scene({1, 1});
       Draw& draw = cover(scene);
       draw.color = glm::vec4(200, 200, 200, 99);
       draw.normals = scene.keep(std::vector<glm::vec3>(4, glm::vec3(1.6f, 0.0f, behind ? -1.2f : 1.2f)));

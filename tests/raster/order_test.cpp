@@ -12,11 +12,11 @@ constexpr glm::vec4 kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kBlue{0, 0, 25
 /// Premultiplied half red, half blue.
 constexpr glm::vec4 kHalfRed{128, 0, 0, 128}, kHalfBlue{0, 0, 128, 128};
 
-glm::u8vec4 only_pixel(const Scene& scene) { return scene.image.rgba8.at(0); }
+glm::u8vec4 only_pixel(const SmallScene& scene) { return scene.image.rgba8.at(0); }
 
 /// A scene of one pixel.
-Scene one_pixel() { return Scene({1, 1}); }
-Draw& cover(Scene& scene, double z, const glm::vec4& color) { return scene.rect({0, 0}, {1, 1}, z, color); }
+SmallScene one_pixel() { return SmallScene({1, 1}); }
+Draw& cover(SmallScene& scene, double z, const glm::vec4& color) { return scene.rect({0, 0}, {1, 1}, z, color); }
 
 TEST(OrderFreeDraws, GiveTheSameBytesInAllSubmissionOrdersOfFiveDraws) {
   struct Rectangle {
@@ -40,7 +40,7 @@ TEST(OrderFreeDraws, GiveTheSameBytesInAllSubmissionOrdersOfFiveDraws) {
   std::array<std::uint32_t, 5> order = {0, 1, 2, 3, 4};
   std::optional<Image> first;
   do {
-    Scene scene({6, 6});
+    SmallScene scene({6, 6});
     for (const std::uint32_t k : order) {
       const Rectangle& r = rectangles[k];
       Draw& draw = scene.rect(r.from, r.to, r.z, {40.0f * float(k), 255.0f - 30.0f * float(k), 10.0f, 255.0f});
@@ -55,7 +55,7 @@ TEST(OrderFreeDraws, GiveTheSameBytesInAllSubmissionOrdersOfFiveDraws) {
 }
 
 TEST(OrderFreeDraws, GiveEqualDepthToTheLowerDrawIdEvenIfSubmittedLast) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   cover(scene, 0.5, kRed).draw_id = 7;
   cover(scene, 0.5, kGreen).draw_id = 3;
   cover(scene, 0.5, kBlue).draw_id = 5;
@@ -65,7 +65,7 @@ TEST(OrderFreeDraws, GiveEqualDepthToTheLowerDrawIdEvenIfSubmittedLast) {
 }
 
 TEST(OrderFreeDraws, CompareDrawIdsBeforePrimitiveIds) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   Draw& later_draw = cover(scene, 0.5, kRed);
   later_draw.draw_id = 1;
   later_draw.primitive_id = 0;
@@ -77,7 +77,7 @@ TEST(OrderFreeDraws, CompareDrawIdsBeforePrimitiveIds) {
 }
 
 TEST(OrderFreeDraws, GiveEqualDepthWithinADrawToTheLowerPrimitive) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   // Three times the same rectangle; the last two are nearer, at one depth.
   std::vector<glm::dvec3> corners;
   for (const double z : {0.25, 0.5, 0.5}) {
@@ -91,7 +91,7 @@ TEST(OrderFreeDraws, GiveEqualDepthWithinADrawToTheLowerPrimitive) {
 TEST(OrderFreeDraws, GiveEqualDepthWithinAPrimitiveToTheLowerPiece) {
   // A quad folded onto itself: triangles 0 1 2 and 0 2 3 both cover the pixel, at one depth. Corner 1 is red, corner
   // 3 blue, both far away, corners 0 and 2 black: the winner's colour has red in it or blue.
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   Draw& quad = scene.window(Topology::quads, {{-1, 4, 0.5}, {4, 1, 0.5}, {-1, -2, 0.5}, {4, 1, 0.5}});
   quad.colors = scene.keep<glm::vec4>({{0, 0, 0, 255}, kRed, {0, 0, 0, 255}, kBlue});
   scene.render();
@@ -100,7 +100,7 @@ TEST(OrderFreeDraws, GiveEqualDepthWithinAPrimitiveToTheLowerPiece) {
 }
 
 TEST(OrderFreeDraws, FallBackToSubmissionOrderWhereTwoKeysAreEqual) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   cover(scene, 0.5, kRed).draw_id = 4;
   cover(scene, 0.5, kGreen).draw_id = 4;
   scene.render();
@@ -110,7 +110,7 @@ TEST(OrderFreeDraws, FallBackToSubmissionOrderWhereTwoKeysAreEqual) {
 TEST(Clear, LosesToAFragmentAtDepthZeroOfEitherSignAndEitherKindOfDraw) {
   for (const double z : {0.0, -0.0, -5.0}) {  // a window depth below 0 is clamped to it
     for (const bool ordered : {false, true}) {
-      Scene scene = one_pixel();
+      SmallScene scene = one_pixel();
       scene.frame.clear = kGrey;
       Draw& draw = cover(scene, z, kRed);
       if (ordered) {
@@ -126,7 +126,7 @@ TEST(Clear, LosesToAFragmentAtDepthZeroOfEitherSignAndEitherKindOfDraw) {
 }
 
 TEST(Clear, FillsWhatNothingCovers) {
-  Scene scene({2, 1});
+  SmallScene scene({2, 1});
   scene.frame.clear = {10, 20.5f, 30.49f, 300};
   scene.rect({1, 0}, {2, 1}, 0.5, kRed);
   scene.render();
@@ -136,7 +136,7 @@ TEST(Clear, FillsWhatNothingCovers) {
 }
 
 TEST(OrderedDraws, RunAfterAllOrderFreeOnesWhereverTheyWereSubmitted) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   cover(scene, 0.75, kHalfRed).blend = Blend::over;
   cover(scene, 0.5, kBlue);  // submitted later, drawn first
   scene.render();
@@ -147,7 +147,7 @@ TEST(OrderedDraws, RunAfterAllOrderFreeOnesWhereverTheyWereSubmitted) {
 TEST(OrderedDraws, PassOnlyIfStrictlyNearer) {
   const float z = 0.5f;
   for (const float own : {std::nextafter(z, 0.0f), z, std::nextafter(z, 1.0f)}) {
-    Scene scene = one_pixel();
+    SmallScene scene = one_pixel();
     cover(scene, z, kBlue);
     cover(scene, own, kRed).blend = Blend::add;
     scene.render();
@@ -156,7 +156,7 @@ TEST(OrderedDraws, PassOnlyIfStrictlyNearer) {
 }
 
 TEST(OrderedDraws, AreBlendedInSubmissionOrderNotByDepthOrKey) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   Draw& first = cover(scene, 0.75, kHalfRed);  // nearer and with the higher key, and yet first
   first.blend = Blend::over;
   first.draw_id = 9;
@@ -169,7 +169,7 @@ TEST(OrderedDraws, AreBlendedInSubmissionOrderNotByDepthOrKey) {
 }
 
 TEST(OrderedDraws, LeaveDepthAndIdsAloneUnlessTheyWriteDepth) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   cover(scene, 0.25, kBlue);
   cover(scene, 0.5, kHalfRed).blend = Blend::over;
   Draw& opaque = cover(scene, 0.75, kGreen);  // opaque, but not into depth: ordered
@@ -182,7 +182,7 @@ TEST(OrderedDraws, LeaveDepthAndIdsAloneUnlessTheyWriteDepth) {
 }
 
 TEST(OrderedDraws, HideWhatIsBehindThemIfTheyWriteDepth) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   cover(scene, 0.25, kBlue);
   Draw& writer = cover(scene, 0.5, kHalfRed);
   writer.blend = Blend::over;
@@ -195,7 +195,7 @@ TEST(OrderedDraws, HideWhatIsBehindThemIfTheyWriteDepth) {
 }
 
 TEST(OrderedDraws, WithoutDepthTestPassEverywhereAndMayPushDepthBack) {
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   cover(scene, 0.75, kBlue);
   Draw& untested = cover(scene, 0.25, kGreen);  // farther, untested: ordered, drawn over the nearer one
   untested.depth_test = false;
@@ -209,7 +209,7 @@ TEST(OrderedDraws, WithoutDepthTestPassEverywhereAndMayPushDepthBack) {
 TEST(OrderedDraws, NoLongerOwnTheSamplesOfPrimitivesInOneDrawByKey) {
   // Within one ordered draw that writes depth the nearer of two primitives hides the other only if it comes first.
   for (const bool near_first : {false, true}) {
-    Scene scene = one_pixel();
+    SmallScene scene = one_pixel();
     std::vector<glm::dvec3> corners;
     for (const double z : near_first ? std::array{0.75, 0.5} : std::array{0.5, 0.75}) {
       for (const glm::dvec3 p : {glm::dvec3{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}}) corners.push_back(p);
@@ -226,7 +226,7 @@ TEST(OrderedDraws, NoLongerOwnTheSamplesOfPrimitivesInOneDrawByKey) {
 
 TEST(OrderedDraws, LeaveTheirIdsOnlyIfAskedTo) {
   for (const bool asked : {false, true}) {
-    Scene scene = one_pixel();
+    SmallScene scene = one_pixel();
     cover(scene, 0.25, kBlue);
     cover(scene, 0.5, kHalfRed).blend = Blend::over;
     scene.render({.threads = 1, .ids_from_ordered_draws = asked});
@@ -238,13 +238,13 @@ TEST(OrderedDraws, LeaveTheirIdsOnlyIfAskedTo) {
 TEST(AlphaTest, KeepsASampleWhoseAlphaIsExactlyTheThreshold) {
   const float half = 127.5f;  // 0.5 in an rgba8 target's unit: tested before it is stored
   for (const float alpha : {std::nextafter(half, 0.0f), half, std::nextafter(half, 255.0f)}) {
-    Scene scene = one_pixel();
+    SmallScene scene = one_pixel();
     cover(scene, 0.5, {9, 9, 9, alpha}).alpha_test = 0.5f;
     scene.render();
     EXPECT_EQ(scene.image.ids[0].draw, alpha >= half ? 0u : kNoId) << alpha;
   }
   for (const float alpha : {std::nextafter(0.25f, 0.0f), 0.25f}) {
-    Scene scene({1, 1}, ColorFormat::rgba32f);
+    SmallScene scene({1, 1}, ColorFormat::rgba32f);
     cover(scene, 0.5, {1, 1, 1, alpha}).alpha_test = 0.25f;
     scene.render();
     EXPECT_EQ(scene.image.ids[0].draw, alpha >= 0.25f ? 0u : kNoId) << alpha;
@@ -252,7 +252,7 @@ TEST(AlphaTest, KeepsASampleWhoseAlphaIsExactlyTheThreshold) {
 }
 
 TEST(AlphaTest, DropsASampleWhoseAlphaIsNotANumber) {
-  Scene scene({1, 1}, ColorFormat::rgba32f);
+  SmallScene scene({1, 1}, ColorFormat::rgba32f);
   const float infinity = std::numeric_limits<float>::infinity();
   cover(scene, 0.5, {1, 1, 1, std::numeric_limits<float>::quiet_NaN()}).alpha_test = -infinity;
   scene.render();
@@ -262,7 +262,7 @@ TEST(AlphaTest, DropsASampleWhoseAlphaIsNotANumber) {
 TEST(AlphaTest, IsPartOfCoverageSoLosersLeaveNoDepth) {
   // A row whose alpha runs 0.5, 1.5, 2.5, 3.5 (of 4); what lies behind shows where it is below 2, blended or not.
   for (const Blend blend : {Blend::none, Blend::over}) {
-    Scene scene({4, 1});
+    SmallScene scene({4, 1});
     scene.rect({0, 0}, {4, 1}, 0.25, kBlue);
     Draw& cut = scene.window(Topology::quads, {{0, 0, 0.75}, {4, 0, 0.75}, {4, 1, 0.75}, {0, 1, 0.75}});
     cut.colors = scene.keep<glm::vec4>({{255, 0, 0, 0}, {255, 0, 0, 255}, {255, 0, 0, 255}, {255, 0, 0, 0}});
@@ -278,7 +278,7 @@ TEST(AlphaTest, IsPartOfCoverageSoLosersLeaveNoDepth) {
 
 TEST(AlphaTest, LetsAFartherDrawWinWhereTheNearerOneFailsWhicheverComesFirst) {
   for (const bool cut_first : {false, true}) {
-    Scene scene = one_pixel();
+    SmallScene scene = one_pixel();
     const auto cut = [&] {
       Draw& draw = cover(scene, 0.75, {255, 0, 0, 10});
       draw.alpha_test = 0.5f;
@@ -295,7 +295,7 @@ TEST(AlphaTest, LetsAFartherDrawWinWhereTheNearerOneFailsWhicheverComesFirst) {
 
 TEST(Ids, AreTheDrawsOwnUnlessTheyAreOverridden) {
   constexpr std::uint32_t kPlate = 4294967294u;
-  Scene scene({3, 1});
+  SmallScene scene({3, 1});
   scene.rect({0, 0}, {1, 1}, 0.5, kRed);
   scene.rect({1, 0}, {2, 1}, 0.5, kRed).primitive_id = kPlate;
   Draw& both = scene.rect({2, 0}, {3, 1}, 0.5, kRed);
@@ -307,7 +307,7 @@ TEST(Ids, AreTheDrawsOwnUnlessTheyAreOverridden) {
 
 TEST(Ids, CountPrimitivesAsTheDrawHasThemEvenIfSomeAreNotDrawn) {
   // Quad 0 lies outside, quad 1 has no area, quad 2 covers the pixel.
-  Scene scene = one_pixel();
+  SmallScene scene = one_pixel();
   scene.window(Topology::quads, {{5, 5, 0}, {6, 5, 0}, {6, 6, 0}, {5, 6, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
                                  {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
   scene.render();

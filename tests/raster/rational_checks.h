@@ -51,7 +51,7 @@ inline RationalMeasured check_any_numbers(std::uint64_t n_samples, std::uint64_t
     const bool line = numbers.below(4) == 0;
     const std::size_t n = line ? 2 : 3;
     const Family family{line ? Topology::lines : Topology::triangles, true, kSize, 1};
-    Corners c = random_corners(numbers, family);
+    CornerData c = random_corners(numbers, family);
     std::array<double, 3> w{}, z{};
     std::vector<glm::dvec4> p;
     std::vector<glm::vec4> colors;
@@ -66,7 +66,7 @@ inline RationalMeasured check_any_numbers(std::uint64_t n_samples, std::uint64_t
       p.push_back(corner);
       colors.push_back({any_float(numbers), any_float(numbers), any_float(numbers), 1.0f});
     }
-    Scene scene(kSize, ColorFormat::rgba32f);
+    SmallScene scene(kSize, ColorFormat::rgba32f);
     scene.clip(family.topology, p).colors = scene.keep(colors);
     scene.render();
     std::array<std::size_t, 3> order = {0, 1, 2};  // canonical: by x, then y
@@ -129,7 +129,7 @@ inline FootprintMeasured check_footprints(std::uint64_t n_samples, std::uint64_t
   FootprintMeasured m;
   HashedNumbers numbers(seed);
   while (m.samples < n_samples) {
-    const Corners c = random_corners(numbers, {.topology = Topology::triangles, .perspective = numbers.below(2) == 0});
+    const CornerData c = random_corners(numbers, {.topology = Topology::triangles, .perspective = numbers.below(2) == 0});
     std::array<reference::WindowVertex, 3> corners;
     std::array<glm::vec2, 3> uv_of_corner;
     const float largest = std::ldexp(1.0f, int(numbers.below(30)) - 10);
@@ -263,7 +263,7 @@ inline ClippedMeasured check_clipped(std::uint64_t n_samples, std::uint64_t seed
       p = {across(), across(), numbers.below(4) == 0 ? w * (2.0 * numbers.unit() - 0.5) : 1.0, w};
       colors.push_back({whole_attribute(numbers), whole_attribute(numbers), whole_attribute(numbers), 77.7f});
     }
-    Scene scene(kSize, ColorFormat::rgba32f);
+    SmallScene scene(kSize, ColorFormat::rgba32f);
     scene.clip(Topology::triangles, {corners[0], corners[1], corners[2]}).colors = scene.keep(colors);
     const FrameStats stats = scene.render();
     if (stats.primitives_clipped == 0 || stats.fragments_covered == 0) continue;

@@ -22,7 +22,7 @@ std::vector<glm::ivec2> sample_pattern(int n) {
 }
 
 /// The pictures of each sample alone.
-std::vector<Image> pictures_alone(Scene& scene, const std::vector<glm::ivec2>& samples) {
+std::vector<Image> pictures_alone(SmallScene& scene, const std::vector<glm::ivec2>& samples) {
   std::vector<Image> pictures;
   for (const glm::ivec2& sample : samples) {
     scene.frame.samples_fx8 = {&sample, 1};
@@ -34,7 +34,7 @@ std::vector<Image> pictures_alone(Scene& scene, const std::vector<glm::ivec2>& s
 
 TEST(Samples, OfABytePictureAreAveragedExactlyAndRoundedHalfUp) {
   for (int n = 2; n <= 128; n *= 2) {
-    Scene scene({40, 24}, ColorFormat::rgba8, kColorOnly);
+    SmallScene scene({40, 24}, ColorFormat::rgba8, kColorOnly);
     add_everything(scene);
     const std::vector<glm::ivec2> samples = sample_pattern(n);
     const std::vector<Image> alone = pictures_alone(scene, samples);
@@ -54,7 +54,7 @@ TEST(Samples, OfABytePictureAreAveragedExactlyAndRoundedHalfUp) {
 // are of one size, so that sums of 128 of them are exact in double.
 TEST(Samples, OfAFloatPictureAreAveragedExactlyAndRoundedOnce) {
   for (int n = 2; n <= 128; n *= 4) {
-    Scene scene({40, 24}, ColorFormat::rgba32f, kColorOnly);
+    SmallScene scene({40, 24}, ColorFormat::rgba32f, kColorOnly);
     scene.frame.clear = glm::vec4(0.5f, 0.25f, 0.75f, 1.0f);
     add_everything(scene);
     const std::vector<glm::ivec2> samples = sample_pattern(n);
@@ -79,7 +79,7 @@ TEST(Samples, OfAFloatPictureAreAveragedExactlyAndRoundedOnce) {
 TEST(Samples, LieWhereTheyAreSaidToBe) {
   // A rectangle that covers the left quarter of a pixel, its edge through x = 64/256: samples on x < 64 are inside, a
   // sample on the right edge is not, one on the left edge is. 3 of 4: ⌊255·3/4 + ½⌋ = 191.
-  Scene scene({1, 1}, ColorFormat::rgba8, kColorOnly);
+  SmallScene scene({1, 1}, ColorFormat::rgba8, kColorOnly);
   scene.window(Topology::quads, {{0, 0, 0.5}, {0.25, 0, 0.5}, {0.25, 1, 0.5}, {0, 1, 0.5}});
   const glm::ivec2 samples[] = {{0, 0}, {63, 255}, {10, 0}, {64, 7}};
   scene.frame.samples_fx8 = samples;
@@ -89,7 +89,7 @@ TEST(Samples, LieWhereTheyAreSaidToBe) {
 
 TEST(Samples, RoundHalvesUp) {
   // One of two samples covered by 255 over 0: 127.5 becomes 128.
-  Scene scene({1, 1}, ColorFormat::rgba8, kColorOnly);
+  SmallScene scene({1, 1}, ColorFormat::rgba8, kColorOnly);
   scene.window(Topology::quads, {{0, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 1, 0.5}, {0, 1, 0.5}});
   const glm::ivec2 samples[] = {{64, 128}, {192, 128}};
   scene.frame.samples_fx8 = samples;
@@ -98,7 +98,7 @@ TEST(Samples, RoundHalvesUp) {
 }
 
 TEST(Samples, KeepOneNanInAFloatPicture) {
-  Scene scene({1, 1}, ColorFormat::rgba32f, kColorOnly);
+  SmallScene scene({1, 1}, ColorFormat::rgba32f, kColorOnly);
   scene.rect({0, 0}, {1, 1}, 0.5, {-std::numeric_limits<float>::quiet_NaN(), -0.0f, 1.0f, 1.0f});
   const glm::ivec2 samples[] = {{64, 128}, {192, 128}};
   scene.frame.samples_fx8 = samples;
@@ -107,7 +107,7 @@ TEST(Samples, KeepOneNanInAFloatPicture) {
   EXPECT_EQ(std::memcmp(&scene.image.rgba32f[0], expected, sizeof expected), 0);
 }
 
-void expect_refused(Scene& scene, const std::string& message) {
+void expect_refused(SmallScene& scene, const std::string& message) {
   const Image before = scene.image;
   try {
     scene.render();
@@ -122,14 +122,14 @@ void expect_refused(Scene& scene, const std::string& message) {
 TEST(Samples, AreRefusedWithADepthOrIdPlaneIfThereAreSeveral) {
   const glm::ivec2 samples[] = {{64, 128}, {192, 128}};
   for (const Planes planes : {Planes{.color = true, .depth = true, .ids = false}, Planes{.color = true, .depth = false, .ids = true}}) {
-    Scene scene({2, 2}, ColorFormat::rgba8, planes);
+    SmallScene scene({2, 2}, ColorFormat::rgba8, planes);
     scene.frame.samples_fx8 = samples;
     expect_refused(scene, "image: depth and ids cannot be averaged; use one sample a pixel");
   }
 }
 
 TEST(Samples, AreRefusedIfThereAreNoneTooManyOrOneOutsideThePixel) {
-  Scene scene({2, 2}, ColorFormat::rgba8, kColorOnly);
+  SmallScene scene({2, 2}, ColorFormat::rgba8, kColorOnly);
   scene.frame.samples_fx8 = {};
   expect_refused(scene, "frame: 0 samples a pixel, expected 1 to 1024");
   const std::vector<glm::ivec2> many(1025, {1, 1});

@@ -10,7 +10,7 @@ constexpr glm::vec4 kRed{255, 0, 0, 255};
 constexpr int kMin = std::numeric_limits<int>::min(), kMax = std::numeric_limits<int>::max();
 
 TEST(Scissor, OfADrawLimitsThatDrawAlone) {
-  Scene scene({4, 3});
+  SmallScene scene({4, 3});
   scene.rect({0, 0}, {4, 3}, 0.5, kRed).scissor = Rect{{1, 1}, {2, 1}};
   scene.rect({0, 0}, {1, 3}, 0.5, kRed);
   scene.render();
@@ -18,7 +18,7 @@ TEST(Scissor, OfADrawLimitsThatDrawAlone) {
 }
 
 TEST(Scissor, OfTheFrameLimitsEveryDrawTogetherWithItsOwnButNotTheClear) {
-  Scene scene({4, 3});
+  SmallScene scene({4, 3});
   scene.frame.clear = {7, 7, 7, 7};
   scene.frame.scissor = Rect{{0, 1}, {3, 2}};
   scene.rect({0, 0}, {4, 3}, 0.5, kRed);
@@ -51,7 +51,7 @@ const Case kCases[] = {
 TEST(Scissor, MayBeEmptyOutsidePartlyOutsideOrBeyondTheRangeOfInt) {
   for (const Case& c : kCases) {
     for (const bool of_frame : {false, true}) {
-      Scene scene({4, 3});
+      SmallScene scene({4, 3});
       Draw& draw = scene.rect({0, 0}, {4, 3}, 0.5, kRed);
       (of_frame ? scene.frame.scissor : draw.scissor) = c.rect;
       scene.render();
@@ -63,7 +63,7 @@ TEST(Scissor, MayBeEmptyOutsidePartlyOutsideOrBeyondTheRangeOfInt) {
 
 TEST(Scissor, LimitsLinesPointsAndDiscsToo) {
   for (const Topology topology : {Topology::lines, Topology::points, Topology::discs}) {
-    Scene scene({4, 3});
+    SmallScene scene({4, 3});
     Draw& draw = scene.window(topology, {{-3, 1.5, 0.5}, {9, 1.5, 0.5}, {2, 1.5, 0.5}, {2, 1.5, 0.5}});
     draw.point_size_px = 20;
     draw.radii = scene.keep<float>({20, 20, 20, 20});
@@ -74,14 +74,14 @@ TEST(Scissor, LimitsLinesPointsAndDiscsToo) {
 }
 
 /// Clip space's whole square.
-Draw& full_square(Scene& scene) {
+Draw& full_square(SmallScene& scene) {
   Draw& draw = scene.clip(Topology::quads, {{-1, 1, 0.5, 1}, {1, 1, 0.5, 1}, {1, -1, 0.5, 1}, {-1, -1, 0.5, 1}});
   draw.color = kRed;
   return draw;
 }
 
 TEST(Viewport, IsWhereClipSpaceLands) {
-  Scene scene({5, 4});
+  SmallScene scene({5, 4});
   scene.frame.viewport = Rect{{1, 2}, {3, 1}};
   full_square(scene);
   scene.render();
@@ -89,7 +89,7 @@ TEST(Viewport, IsWhereClipSpaceLands) {
 }
 
 TEST(Viewport, PutsPositiveYUpAndPositiveXRight) {
-  Scene scene({4, 4});
+  SmallScene scene({4, 4});
   // The quadrant x > 0, y > 0.
   scene.clip(Topology::quads, {{0, 1, 0.5, 1}, {1, 1, 0.5, 1}, {1, 0, 0.5, 1}, {0, 0, 0.5, 1}});
   scene.render();
@@ -97,15 +97,15 @@ TEST(Viewport, PutsPositiveYUpAndPositiveXRight) {
 }
 
 TEST(Viewport, MayLeaveTheTargetSoThatTilesOfABigPictureAreItsCrops) {
-  const auto draw_into = [](Scene& scene) {
+  const auto draw_into = [](SmallScene& scene) {
     Draw& draw = scene.clip(Topology::triangles, {{-0.9, -0.7, 0.3, 1.5}, {2.1, -1.9, 0.9, 2.7}, {0.2, 0.8, 0.1, 0.9}});
     draw.colors = scene.keep<glm::vec4>({{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}});
   };
-  Scene whole({24, 16});
+  SmallScene whole({24, 16});
   draw_into(whole);
   whole.render();
   for (const glm::ivec2 corner : {glm::ivec2{0, 0}, {8, 0}, {5, 3}, {16, 8}}) {
-    Scene crop({8, 8});
+    SmallScene crop({8, 8});
     crop.frame.viewport = Rect{-corner, {24, 16}};
     draw_into(crop);
     crop.render();
@@ -121,7 +121,7 @@ TEST(Viewport, MayLeaveTheTargetSoThatTilesOfABigPictureAreItsCrops) {
 }
 
 TEST(Viewport, OfNoSizeDrawsNothing) {
-  Scene scene({4, 4});
+  SmallScene scene({4, 4});
   scene.frame.viewport = Rect{{1, 1}, {0, 3}};
   full_square(scene);
   scene.render();
@@ -129,7 +129,7 @@ TEST(Viewport, OfNoSizeDrawsNothing) {
 }
 
 TEST(Viewport, DoesNotMoveWindowSpace) {
-  Scene scene({4, 1});
+  SmallScene scene({4, 1});
   scene.frame.viewport = Rect{{2, 0}, {1, 1}};
   scene.rect({0, 0}, {2, 1}, 0.5, kRed);
   scene.render();

@@ -1,5 +1,5 @@
 #pragma once
-/// Small frames for tests. A Scene owns what its draws borrow; pictures come back as text.
+/// Small frames for tests. A SmallScene owns what its draws borrow; pictures come back as text.
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 namespace lode::raster::test {
 
 /// A frame under construction and the image it is drawn into.
-class Scene {
+class SmallScene {
  public:
-  explicit Scene(glm::ivec2 size_px, ColorFormat format = ColorFormat::rgba8, Planes planes = {})
+  explicit SmallScene(glm::ivec2 size_px, ColorFormat format = ColorFormat::rgba8, Planes planes = {})
       : image(make_image(size_px, format, planes)) {
     draws.reserve(kMaxDraws);
   }

@@ -23,7 +23,8 @@ inline glm::dmat4 random_camera(const CounterRandom& random) {
   const double near = 0.1, far = 50.0;
   switch (random.integer(103, 0, 2)) {
     case 0:  // infinite far plane: depth near/d
-      projection = {glm::dvec4{1.5, 0, 0, 0}, glm::dvec4{0, 1.5, 0, 0}, glm::dvec4{0, 0, 0, -1}, glm::dvec4{0, 0, near, 0}};
+      projection = {glm::dvec4{1.5, 0, 0, 0}, glm::dvec4{0, 1.5, 0, 0}, glm::dvec4{0, 0, 0, -1},
+                    glm::dvec4{0, 0, near, 0}};
       break;
     case 1:  // finite
       projection = {glm::dvec4{1.5, 0, 0, 0}, glm::dvec4{0, 1.5, 0, 0}, glm::dvec4{0, 0, near / (far - near), -1},
@@ -73,7 +74,8 @@ inline SurfelCase structured_surfel(const CounterRandom& random) {
   }
   if (kind == 3) {
     // Perspective along −z: x, y, near 1/4, w = −z + 2.
-    s.clip_from_object = {glm::dvec4{1, 0, 0, 0}, glm::dvec4{0, 1, 0, 0}, glm::dvec4{0, 0, 0, -1}, glm::dvec4{0, 0, 0.25, 2}};
+    s.clip_from_object = {glm::dvec4{1, 0, 0, 0}, glm::dvec4{0, 1, 0, 0}, glm::dvec4{0, 0, 0, -1},
+                          glm::dvec4{0, 0, 0.25, 2}};
   }
   return s;
 }
@@ -81,8 +83,20 @@ inline SurfelCase structured_surfel(const CounterRandom& random) {
 /// Any bit pattern, or one of the corners of the format.
 inline float hostile_float(const CounterRandom& random, std::uint64_t purpose) {
   using Limits = std::numeric_limits<float>;
-  constexpr float kCorners[] = {0.0f,  -0.0f, 1.0f, -1.0f, Limits::max(), Limits::lowest(), Limits::denorm_min(), 1e-40f,
-                                1e30f, 1e-30f, Limits::infinity(), -Limits::infinity(), 3.0f, 0.5f};
+  constexpr float kCorners[] = {0.0f,
+                                -0.0f,
+                                1.0f,
+                                -1.0f,
+                                Limits::max(),
+                                Limits::lowest(),
+                                Limits::denorm_min(),
+                                1e-40f,
+                                1e30f,
+                                1e-30f,
+                                Limits::infinity(),
+                                -Limits::infinity(),
+                                3.0f,
+                                0.5f};
   const std::uint64_t bits = random.bits(purpose);
   if (bits % 3 != 0) return kCorners[(bits >> 8) % std::size(kCorners)];
   const auto pattern = std::uint32_t(bits >> 16);
@@ -105,18 +119,23 @@ inline SurfelCase hostile_surfel(const CounterRandom& random) {
   SurfelCase s = random.integer(300, 0, 1) == 0 ? scene_surfel(random) : structured_surfel(random);
   const int mode = random.integer(301, 0, 3);
   for (int i = 0; i < 3; ++i) {
-    if (mode != 1 && random.integer(std::uint64_t(310 + i), 0, 2) == 0) s.centre[i] = hostile_float(random, std::uint64_t(320 + i));
-    if (mode != 2 && random.integer(std::uint64_t(330 + i), 0, 2) == 0) s.normal[i] = hostile_float(random, std::uint64_t(340 + i));
+    if (mode != 1 && random.integer(std::uint64_t(310 + i), 0, 2) == 0)
+      s.centre[i] = hostile_float(random, std::uint64_t(320 + i));
+    if (mode != 2 && random.integer(std::uint64_t(330 + i), 0, 2) == 0)
+      s.normal[i] = hostile_float(random, std::uint64_t(340 + i));
   }
   if (random.integer(350, 0, 1) == 0) s.radius = hostile_float(random, 351);
   if (mode == 3) {
     for (int i = 0; i < 16; ++i) {
-      if (random.integer(std::uint64_t(400 + i), 0, 3) == 0) s.clip_from_object[i / 4][i % 4] = hostile_double(random, std::uint64_t(420 + i));
+      if (random.integer(std::uint64_t(400 + i), 0, 3) == 0)
+        s.clip_from_object[i / 4][i % 4] = hostile_double(random, std::uint64_t(420 + i));
     }
   } else if (mode == 2) {
     // The whole matrix near the end of the range: sums and products overflow or vanish.
-    const int exponent = random.integer(450, 0, 1) == 0 ? random.integer(451, 900, 1000) : random.integer(452, -1074, -900);
-    for (int i = 0; i < 16; ++i) s.clip_from_object[i / 4][i % 4] = std::ldexp(s.clip_from_object[i / 4][i % 4], exponent);
+    const int exponent =
+        random.integer(450, 0, 1) == 0 ? random.integer(451, 900, 1000) : random.integer(452, -1074, -900);
+    for (int i = 0; i < 16; ++i)
+      s.clip_from_object[i / 4][i % 4] = std::ldexp(s.clip_from_object[i / 4][i % 4], exponent);
   }
   return s;
 }
@@ -130,8 +149,9 @@ inline glm::ivec2 middle_of(const SurfelCase& s) {
 }
 
 inline SurfelCase random_surfel(SurfelKind kind, const CounterRandom& random) {
-  return kind == SurfelKind::scene ? scene_surfel(random)
-         : kind == SurfelKind::structured ? structured_surfel(random) : hostile_surfel(random);
+  return kind == SurfelKind::scene        ? scene_surfel(random)
+         : kind == SurfelKind::structured ? structured_surfel(random)
+                                          : hostile_surfel(random);
 }
 
 }  // namespace lode::tests

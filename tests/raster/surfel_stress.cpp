@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -41,8 +43,8 @@ void compare(const char* name, SurfelKind kind, std::uint64_t ci_count) {
   for (std::uint64_t i = 0; i < count; ++i) {
     const CounterRandom random{121, i};
     const SurfelCase s = random_surfel(kind, random);
-    const std::optional<Surfel> surfel = make_surfel(s.centre, s.normal, s.radius, s.clip_from_object,
-                                                     s.viewport_origin_px, s.viewport_size_px);
+    const std::optional<Surfel> surfel =
+        make_surfel(s.centre, s.normal, s.radius, s.clip_from_object, s.viewport_origin_px, s.viewport_size_px);
     const SurfelOracle oracle(s);
     const glm::ivec2 middle = middle_of(s) * 256 + glm::ivec2{random.integer(700, 0, 255), random.integer(701, 0, 255)};
     std::array<glm::ivec2, 3> positions{middle, middle, middle};

@@ -23,7 +23,8 @@ std::optional<Surfel> surfel_of(const SurfelCase& s) {
 }
 
 /// A perspective camera at the origin that looks along −z: w = −z, window half = distance, depth 1/w.
-const glm::dmat4 kPerspective{glm::dvec4{1, 0, 0, 0}, glm::dvec4{0, 1, 0, 0}, glm::dvec4{0, 0, 0, -1}, glm::dvec4{0, 0, 1, 0}};
+const glm::dmat4 kPerspective{glm::dvec4{1, 0, 0, 0}, glm::dvec4{0, 1, 0, 0}, glm::dvec4{0, 0, 0, -1},
+                              glm::dvec4{0, 0, 1, 0}};
 
 /// Clip space is object space scaled so that one unit is one pixel of a 16 × 16 viewport, y up, centre (8, 8).
 glm::dmat4 pixels_16() {
@@ -171,7 +172,8 @@ TEST(SurfelCoverage, ADiscInTheNearOrTheFarPlaneIsDrawn) {
     EXPECT_NEAR(double(pixels.size()), 3.14159 * 0.3 * 0.3 * 32 * 32, 10.0);  // its area; ± a tenth of its outline
     for (const auto& [y, x] : pixels) EXPECT_EQ(depth_at(surfel, sample_position_fx8({x, y}, kCentre)), z);
   }
-  const SurfelCase beyond{{0.25f, 0.5f, std::nextafter(1.0f, 2.0f)}, {0, 0, 1}, 0.3f, glm::dmat4(1.0), {0, 0}, {64, 64}};
+  const SurfelCase beyond{
+      {0.25f, 0.5f, std::nextafter(1.0f, 2.0f)}, {0, 0, 1}, 0.3f, glm::dmat4(1.0), {0, 0}, {64, 64}};
   EXPECT_FALSE(surfel_of(beyond).has_value());
 }
 
@@ -230,9 +232,13 @@ TEST_P(SurfelOracleTest, TheExactTestAloneEqualsTheRationals) {
     const auto read = [](float x) { return std::clamp(double(x), -0x1p128, 0x1p128); };
     const SurfelInput input{{read(s.centre.x), read(s.centre.y), read(s.centre.z)},
                             {read(s.normal.x), read(s.normal.y), read(s.normal.z)},
-                            read(s.radius), s.clip_from_object, s.viewport_origin_px, s.viewport_size_px};
+                            read(s.radius),
+                            s.clip_from_object,
+                            s.viewport_origin_px,
+                            s.viewport_size_px};
     for (int k = 0; k < 4; ++k) {
-      const glm::ivec2 p = middle_of(s) * 256 + 64 * glm::ivec2{random.integer(std::uint64_t(800 + k), -20, 20), random.integer(std::uint64_t(810 + k), -20, 20)};
+      const glm::ivec2 p = middle_of(s) * 256 + 64 * glm::ivec2{random.integer(std::uint64_t(800 + k), -20, 20),
+                                                                random.integer(std::uint64_t(810 + k), -20, 20)};
       ASSERT_EQ(exact_covers(input, p), oracle.covers(p)) << "case " << i << " at " << p.x << ", " << p.y;
     }
   }
@@ -242,7 +248,8 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SurfelOracleTest,
                          testing::Values(SurfelKind::scene, SurfelKind::structured, SurfelKind::hostile),
                          [](const auto& kind) {
                            return kind.param == SurfelKind::scene        ? "Scene"
-                                  : kind.param == SurfelKind::structured ? "Structured" : "Hostile";
+                                  : kind.param == SurfelKind::structured ? "Structured"
+                                                                         : "Hostile";
                          });
 
 TEST(SurfelCoverage, NanZeroAndNegativeDrawNothing) {
@@ -336,8 +343,10 @@ TEST(SurfelFootprint, SpansTheDiscAndDerivativesAreThoseOfTheCoordinate) {
     const glm::dvec2 d = 2.0 * f.uv - 1.0;
     longest = std::max(longest, d.x * d.x + d.y * d.y);
     if (d.x * d.x + d.y * d.y > 0.9) return;  // its neighbours may be outside, where the coordinate is clamped
-    const glm::dvec2 du = (footprint_at(surfel, {}, p + glm::ivec2{1, 0}).uv - footprint_at(surfel, {}, p - glm::ivec2{1, 0}).uv) * 128.0;
-    const glm::dvec2 dv = (footprint_at(surfel, {}, p + glm::ivec2{0, 1}).uv - footprint_at(surfel, {}, p - glm::ivec2{0, 1}).uv) * 128.0;
+    const glm::dvec2 du =
+        (footprint_at(surfel, {}, p + glm::ivec2{1, 0}).uv - footprint_at(surfel, {}, p - glm::ivec2{1, 0}).uv) * 128.0;
+    const glm::dvec2 dv =
+        (footprint_at(surfel, {}, p + glm::ivec2{0, 1}).uv - footprint_at(surfel, {}, p - glm::ivec2{0, 1}).uv) * 128.0;
     for (int c = 0; c < 2; ++c) {
       // Central differences over 2/256 px: their error is of the third derivative, here below 1e-7.
       EXPECT_NEAR(f.duv_dx[c], du[c], 1e-7);

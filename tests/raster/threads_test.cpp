@@ -11,7 +11,7 @@ struct Result {
 
 Result render_everything(ColorFormat format, std::vector<glm::ivec2> samples, const RenderOptions& options) {
   const bool one = samples.size() == 1;
-  Scene scene({150, 90}, format, {.color = true, .depth = one, .ids = one});
+  SmallScene scene({150, 90}, format, {.color = true, .depth = one, .ids = one});
   add_everything(scene);
   scene.frame.samples_fx8 = samples;
   std::vector<DrawStats> per_draw(scene.draws.size());
@@ -51,7 +51,7 @@ TEST_P(AnyThreads, GiveTheSameBytesForAnyTileSize) {
 INSTANTIATE_TEST_SUITE_P(BothFormats, AnyThreads, testing::Values(ColorFormat::rgba8, ColorFormat::rgba32f));
 
 TEST(EverythingFrame, UsesEveryKindOfWork) {  // else the tests that use it claim too much
-  Scene scene({150, 90});
+  SmallScene scene({150, 90});
   add_everything(scene);
   std::vector<DrawStats> per_draw(scene.draws.size());
   const FrameStats stats = scene.render({.threads = 1, .per_draw = per_draw});
