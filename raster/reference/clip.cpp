@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raster/reference/exact_sum.h"
+
 namespace lode::raster::reference {
 namespace {
 
@@ -25,9 +27,47 @@ double plane_distance(int k, const Viewport& v, const glm::dvec4& p) {
   }
 }
 
+/// The same without rounding.
+ExactSum exact_distance(int k, const Viewport& v, const glm::dvec4& p) {
+  ExactSum d;
+  if (k == 0 || k == 1) d.add(p.w);
+  if (k == 0) d.add(-p.z);
+  if (k == 1) d.add(-kMinW);
+  if (k == 2) d.add(p.z);
+  if (k < 3) return d;
+  const double sign = k == 3 || k == 5 ? 1.0 : -1.0;
+  d.add_product(sign * (k < 5 ? v.half_fx8.x : -v.half_fx8.y), k < 5 ? p.x : p.y);
+  d.add_product(sign * (k < 5 ? v.centre_fx8.x : v.centre_fx8.y), p.w);
+  d.add_product(kGuard, p.w);
+  return d;
+}
+
+/// Interpolation loses what makes up a pixel where an end is much larger than the cut's w: half a place of that end is
+/// then more than 2^-17 of a sub-pixel in the window.
+bool needs_exact_cut(const Viewport& v, const glm::dvec4& a, const glm::dvec4& b, double w_cut) {
+  double largest = 0.0;
+  for (int i = 0; i < 4; ++i) largest = std::max({largest, std::abs(a[i]), std::abs(b[i])});
+  return !(largest * std::max(v.half_fx8.x, v.half_fx8.y) <= 0x1p36 * w_cut);
+}
+
+/// (a·d_b − b·d_a) / (d_b − d_a): each component is rounded three times in all, whatever the ends.
+glm::dvec4 exact_cut(int k, const Viewport& v, const glm::dvec4& a, const glm::dvec4& b) {
+  const ExactSum d_a = exact_distance(k, v, a), d_b = exact_distance(k, v, b);
+  ExactSum difference = d_b;
+  difference.add_product(d_a, -1.0);
+  glm::dvec4 cut;
+  for (int i = 0; i < 4; ++i) {
+    ExactSum numerator;
+    numerator.add_product(d_b, a[i]);
+    numerator.add_product(d_a, -b[i]);
+    cut[i] = numerator.value() / difference.value();
+  }
+  return cut;
+}
+
 /// The point of an edge on plane k; its ends lie on either side. It is computed from the end nearer to the plane:
 /// t ≤ ½, so the point stays between the ends and is exact to rounding even where the other end is at 2^300 (from
-/// that end, everything near the screen would be lost).
+/// that end, everything near the screen would be lost). Where both ends are that far out it is computed exactly.
 ClipVertex intersect_edge(int k, const Viewport& v, const ClipVertex& end_0, const ClipVertex& end_1) {
   const double d_0 = plane_distance(k, v, end_0.position), d_1 = plane_distance(k, v, end_1.position);
   const double far_0 = std::abs(d_0), far_1 = std::abs(d_1);
@@ -39,15 +79,13 @@ ClipVertex intersect_edge(int k, const Viewport& v, const ClipVertex& end_0, con
   const double t = d_a / (d_a - d_b);
   ClipVertex p;
   for (int i = 0; i < 4; ++i) p.position[i] = a.position[i] + t * (b.position[i] - a.position[i]);
+  if (d_a != 0.0 && needs_exact_cut(v, a.position, b.position, p.position.w)) {  // at d_a = 0 it is a itself
+    p.position = exact_cut(k, v, a.position, b.position);
+  }
   for (std::size_t i = 0; i < 3; ++i) p.weights[i] = a.weights[i] + t * (b.weights[i] - a.weights[i]);
   if (k == 0) p.position.z = p.position.w;
   if (k == 1) p.position.w = kMinW;
   if (k == 2) p.position.z = 0.0;
-  // Of the guard band's sides, too: between ends of 10^38, say, interpolation leaves nothing of a cut's coordinate.
-  if (k == 3 && v.half_fx8.x != 0.0) p.position.x = (-kGuard - v.centre_fx8.x) * p.position.w / v.half_fx8.x;
-  if (k == 4 && v.half_fx8.x != 0.0) p.position.x = (kGuard - v.centre_fx8.x) * p.position.w / v.half_fx8.x;
-  if (k == 5 && v.half_fx8.y != 0.0) p.position.y = (v.centre_fx8.y + kGuard) * p.position.w / v.half_fx8.y;
-  if (k == 6 && v.half_fx8.y != 0.0) p.position.y = (v.centre_fx8.y - kGuard) * p.position.w / v.half_fx8.y;
   return p;
 }
 

@@ -88,6 +88,26 @@ TEST(HugePositions, CoverTheWholePictureAtTheRightDepth) {
   }
 }
 
+// An edge through the middle of the picture, from far beyond it to far beyond it: what matters is its slope.
+TEST(HugePositions, LeaveEdgesThroughThePictureWhereTheyAre) {
+  const auto picture_with = [](double l) {
+    SmallScene scene({32, 32});
+    scene.clip(Topology::triangles, {{-l, -0.75 * l, 0.5, 1}, {0.875 * l, 0.65625 * l, 0.5, 1}, {l, -l, 0.5, 1}});
+    scene.clip(Topology::lines, {{-l, 0.5 * l, 0.75, 1}, {l, -0.5 * l, 0.75, 1}});
+    scene.render();
+    return scene.image;
+  };
+  const Image plain = picture_with(0x1p20);
+  for (std::size_t i = 0; i < 32 * 32; ++i) {  // y down; the triangle's edge rises by ¾, the line falls by ½
+    const double x = double(i % 32) + 0.5 - 16.0, y = double(i / 32) + 0.5 - 16.0;
+    const double below_edge = y + 0.75 * x, below_line = y - 0.5 * x;
+    if (std::abs(below_edge) < 0.01 || (std::abs(below_line) > 0.45 && std::abs(below_line) < 0.55)) continue;
+    const std::uint32_t expected = std::abs(below_line) < 0.5 ? 1u : below_edge > 0.0 ? 0u : kNoId;
+    ASSERT_EQ(plain.ids[i].draw, expected) << x << ", " << y;
+  }
+  for (const int exponent : {30, 53, 64, 100, 127, 200, 300}) EXPECT_TRUE(same_bytes(plain, picture_with(std::ldexp(1.0, exponent)))) << exponent;
+}
+
 TEST(HugePositions, OfALineAreClippedToWhereItPasses) {
   for (const double l : {1e4, double(kMaxF), kInf}) {
     SmallScene scene({6, 3});
