@@ -21,7 +21,8 @@ std::uint64_t hashed_bits(std::uint64_t seed, std::uint64_t counter) {
   return z ^ (z >> 31);
 }
 
-/// A stream of them, for writing scenes down in order.
+/// A stream of them, for writing scenes down in order: one call an expression, since compilers differ in the order in
+/// which they evaluate the arguments of a function.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(seed) {}
@@ -304,7 +305,10 @@ Picture points_and_discs() {
   discs.sampler = {.filter = Filter::nearest};
   p.draws.push_back(discs);
   std::vector<glm::dvec4> clip;
-  for (int i = 0; i < 20; ++i) clip.emplace_back(random.grid(-3, 3), random.grid(-3, 3), random.unit(), 2.0);
+  for (int i = 0; i < 20; ++i) {
+    const double x = random.grid(-3, 3), y = random.grid(-3, 3);
+    clip.emplace_back(x, y, random.unit(), 2.0);
+  }
   Draw clip_points;
   clip_points.topology = Topology::points;
   clip_points.vertices = ClipVertices{keep(p, std::move(clip))};
@@ -423,7 +427,10 @@ Picture scissored() {
                                      Rect{{60, 60}, {0, 10}}, Rect{{65, 3}, {1, 70}}};
   for (const Rect& scissor : scissors) {
     std::vector<glm::dvec4> clip;
-    for (int i = 0; i < 60; ++i) clip.emplace_back(random.grid(-1, 1), random.grid(-1, 1), random.unit(), 1.0);
+    for (int i = 0; i < 60; ++i) {
+      const double x = random.grid(-1, 1), y = random.grid(-1, 1);
+      clip.emplace_back(x, y, random.unit(), 1.0);
+    }
     Draw draw;
     draw.vertices = ClipVertices{keep(p, std::move(clip))};
     draw.colors = keep(p, random_colors(random, 60));

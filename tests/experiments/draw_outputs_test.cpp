@@ -160,8 +160,7 @@ TEST(DrawOutputs, WhatCannotGoTogetherIsWrongUsage) {
   const TemporaryDirectory directory;
   write_text(directory / "p.json", kPoint);
   const std::string p = directory / "p.json";
-  const Arguments wrong[] = {{},
-                             {"--print", "--stats", "-"},
+  const Arguments wrong[] = {{"--print", "--stats", "-"},
                              {"--out", directory / "a.npy", "--depth", directory / "a.npy"},
                              {"--out", directory / "a.npy", "--ids", directory / "./a.npy"},
                              {"--out", directory / "a.npy", "--out", directory / "b.npy"},
@@ -179,6 +178,14 @@ TEST(DrawOutputs, WhatCannotGoTogetherIsWrongUsage) {
     EXPECT_EQ(run.out, "");
   }
   EXPECT_THAT(directory.names(), testing::ElementsAre("p.json"));
+}
+
+TEST(DrawOutputs, WithoutAnOutputThePictureIsOnlyChecked) {
+  const Outcome good = run_lodestone({"draw", "-"}, kPoint);
+  EXPECT_EQ(good.status, 0);
+  EXPECT_EQ(good.out, "");
+  EXPECT_EQ(good.err, "");
+  EXPECT_EQ(run_lodestone({"draw", "-"}, R"({"size": [3, 2]})").status, 3);
 }
 
 TEST(DrawOutputs, ReadsAFileOrStandardInput) {

@@ -198,7 +198,7 @@ void add_draw(Bytes& in, Scene& scene) {
     draw.sampler.max_anisotropy = in.seldom() ? in.integer() : 1 + in.below(16);
     if (in.coin()) draw.sampler.border = color(in);
   }
-  if (in.seldom()) draw.shader = lambert_shader({.to_light = glm::vec3(in.real(), in.real(), in.real()), .ambient = in.real(), .two_sided = in.coin()});
+  if (in.seldom()) draw.shader = lambert_shader({.to_light = glm::vec3(color(in)), .ambient = in.real(), .two_sided = in.coin()});
 
   draw.cull = Cull(in.below(3));
   draw.blend = Blend(in.below(3));
