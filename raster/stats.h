@@ -9,13 +9,13 @@ namespace lode::raster {
 struct FrameStats {
   std::uint64_t draws_in = 0;
   std::uint64_t draws_ordered = 0;          ///< those that run in submission order after the order-free ones
-  std::uint64_t primitives_in = 0;
+  std::uint64_t primitives_in = 0;          ///< a quad is two: its triangles
   std::uint64_t primitives_not_finite = 0;  ///< discarded: a NaN in a vertex
   std::uint64_t primitives_outside = 0;     ///< nothing left after clipping
   std::uint64_t primitives_facing = 0;      ///< culled by facing
   std::uint64_t primitives_empty = 0;       ///< zero area after the snap, radius ≤ 0, no length
   std::uint64_t primitives_clipped = 0;     ///< cut by at least one plane
-  std::uint64_t pieces = 0;                 ///< triangles, lines, … that went on to the tiles
+  std::uint64_t pieces = 0;                 ///< triangles, lines, … left after culling and clipping, in the target or beside it
   std::uint64_t tiles = 0;                  ///< tiles that any piece's bounds touch
   std::uint64_t fragments_covered = 0;      ///< samples inside a primitive and the scissor
   std::uint64_t fragments_alpha_failed = 0;

@@ -46,11 +46,13 @@ TEST(ClippedTriangles, InterpolateTheAttributesOfTheirOwnVertices) {
   expect_contract(m);
 }
 
-/// A triangle of 2×2 px with z = ½ + x·2^-32 at x sub-pixels. All products in C5's formula are exact in double (18 bits
-/// times 32), so its quotient is exact, too: in pixel column k it is ½ + (2k + 1)·2^-25, half way between two floats.
+/// A triangle of 2×2 px with z = z₀ + x·2^-32 at x sub-pixels. All products in C5's formula are exact in double (18 bits
+/// times 32), so its quotient is exact, too: in pixel column k it is z₀ + (2k + 1)·2^-25, half way between two floats.
+/// z₀ is just below 1, where a double's places are closest for its size: there a reciprocal's rounding shows.
 TEST(Depth, HalfWayBetweenTwoFloatsGoesToTheEvenOneBecauseItIsDividedNotMultiplied) {
   HashedNumbers numbers(5);
-  const auto z_at = [](double x_px) { return 0.5 + x_px * 256.0 * 0x1p-32; };
+  constexpr float kZ0 = 1.0f - 0x1p-8f;
+  const auto z_at = [](double x_px) { return double(kZ0) + x_px * 256.0 * 0x1p-32; };
   int n = 0;
   for (int k = 0; k < 500; ++k) {
     const double x0 = numbers.between(0, 60) / 256.0, x1 = numbers.between(440, 512) / 256.0, x2 = numbers.between(0, 512) / 256.0;
@@ -60,7 +62,7 @@ TEST(Depth, HalfWayBetweenTwoFloatsGoesToTheEvenOneBecauseItIsDividedNotMultipli
     scene.render();
     for (std::size_t i = 0; i < 4; ++i) {
       if (scene.image.ids[i].draw == kNoId) continue;
-      const float even = i % 2 == 0 ? 0.5f : 0.5f + 0x1p-23f;  // ½ + 2^-25: down to ½; ½ + 3·2^-25: up to ½ + 4·2^-25
+      const float even = i % 2 == 0 ? kZ0 : kZ0 + 0x1p-23f;  // + 2^-25: down; + 3·2^-25: up to + 4·2^-25
       ASSERT_EQ(scene.image.depth[i], even) << "triangle " << k << ", pixel " << i;
       ++n;
     }
@@ -68,22 +70,42 @@ TEST(Depth, HalfWayBetweenTwoFloatsGoesToTheEvenOneBecauseItIsDividedNotMultipli
   EXPECT_GT(n, 1000);
 }
 
+/// The same for flat lines of at most 3 px: squared lengths of 20 bits times 32.
+TEST(Depth, OfALineHalfWayBetweenTwoFloatsGoesToTheEvenOne) {
+  HashedNumbers numbers(7);
+  constexpr float kZ0 = 1.0f - 0x1p-8f;
+  const auto z_at = [](double x_px) { return double(kZ0) + x_px * 256.0 * 0x1p-32; };
+  for (int k = 0; k < 500; ++k) {
+    const double a = numbers.between(0, 60) / 256.0, b = numbers.between(600, 700) / 256.0;
+    SmallScene scene({2, 1});
+    scene.window(Topology::lines, {{a, 0.5, z_at(a)}, {b, 0.5, z_at(b)}});
+    scene.render();
+    ASSERT_EQ(scene.image.depth, (std::vector<float>{kZ0, kZ0 + 0x1p-23f})) << "line " << k;
+  }
+}
+
 /// The vertices' depth is half way between two floats: a quotient one place of a double off would round the wrong way.
 TEST(Depth, OfAFlatTriangleIsThatOfItsVerticesHoweverItRounds) {
   HashedNumbers numbers(6);
-  for (int k = 0; k < 200; ++k) {
+  int n = 0;
+  for (int k = 0; k < 1000; ++k) {
     const float low = float(0.1 + 0.8 * numbers.unit());
     const double z = 0.5 * (double(low) + double(std::nextafter(low, 1.0f)));
-    const auto corner = [&] { return glm::dvec3{48.0 * numbers.unit() - 16.0, 48.0 * numbers.unit() - 16.0, z}; };
+    // Far away, so that products with z are rounded; one corner is near, and not all triangles meet the picture.
+    const auto corner = [&](double spread_px) {
+      return glm::dvec3{8.0 + spread_px * (numbers.unit() - 0.5), 8.0 + spread_px * (numbers.unit() - 0.5), z};
+    };
     SmallScene scene({16, 16});
-    scene.window(Topology::triangles, {corner(), corner(), corner()});
-    scene.window(Topology::lines, {corner(), corner()});
+    scene.window(Topology::triangles, {corner(60'000), corner(60'000), corner(100)});
+    scene.window(Topology::lines, {corner(60'000), corner(20)});
     scene.render();
     for (std::size_t i = 0; i < scene.image.depth.size(); ++i) {
       if (scene.image.ids[i].draw == kNoId) continue;
       ASSERT_EQ(scene.image.depth[i], float(z)) << "triangle " << k << ", pixel " << i;
+      ++n;
     }
   }
+  EXPECT_GT(n, 20'000);
 }
 
 TEST(Depth, GrowsTowardsTheEyeAndEndsAtOneAndZero) {
