@@ -59,10 +59,20 @@ class TilePainter {
     }
   }
 
+  /// visit(i, px, depth, rgba) for each sample that the piece covers and that passes the draw's alpha test; rgba is the
+  /// shaded colour where there is such a test, otherwise not yet set.
   template <class Visit>
-  void for_each_sample(const Piece& piece, Visit visit) {
+  void for_each_fragment(const Piece& piece, const Draw& draw, Visit visit) {
     const PixelBox window = intersect(piece.bounds_px, job_.box);
-    visit_shape(piece.shape, [&](const auto& shape) { for_each_covered(shape, window, sample_fx8_, visit); });
+    const auto fragment = [&](glm::ivec2 px) {
+      ++s_.stats.fragments_covered;
+      const float depth = depth_of(piece, p_fx8(px));
+      glm::vec4 rgba;
+      if (draw.alpha_test && !passes_alpha_test(draw, piece, px, depth, &rgba)) return;
+      count_covered(piece);
+      visit(place_of(px), px, depth, rgba);
+    };
+    visit_shape(piece.shape, [&](const auto& shape) { for_each_covered(shape, window, sample_fx8_, fragment); });
   }
 
   /// The shaded colour of one sample if it passes the draw's alpha test; counts.
@@ -77,14 +87,7 @@ class TilePainter {
   /// Nearest depth wins, then the lowest key, whatever the submission (C6).
   void draw_order_free(std::uint32_t index) {
     const Piece& piece = job_.pieces[index];
-    const Draw& draw = draw_of(index);
-    for_each_sample(piece, [&](glm::ivec2 px) {
-      ++s_.stats.fragments_covered;
-      const float depth = depth_of(piece, p_fx8(px));
-      glm::vec4 rgba;
-      if (draw.alpha_test && !passes_alpha_test(draw, piece, px, depth, &rgba)) return;
-      count_covered(piece);
-      const std::size_t i = place_of(px);
+    for_each_fragment(piece, draw_of(index), [&](std::size_t i, glm::ivec2, float depth, const glm::vec4&) {
       const std::uint32_t owner = s_.owner[i];
       const bool wins = owner == kNoPiece || depth > s_.depth[i] ||
                         (depth == s_.depth[i] && key_before(piece, job_.pieces[owner]));
@@ -127,13 +130,7 @@ class TilePainter {
   void draw_ordered(std::uint32_t index) {
     const Piece& piece = job_.pieces[index];
     const Draw& draw = draw_of(index);
-    for_each_sample(piece, [&](glm::ivec2 px) {
-      ++s_.stats.fragments_covered;
-      const float depth = depth_of(piece, p_fx8(px));
-      glm::vec4 rgba;
-      if (draw.alpha_test && !passes_alpha_test(draw, piece, px, depth, &rgba)) return;
-      count_covered(piece);
-      const std::size_t i = place_of(px);
+    for_each_fragment(piece, draw, [&](std::size_t i, glm::ivec2 px, float depth, glm::vec4& rgba) {
       if (draw.depth_test && s_.owner[i] != kNoPiece && !(depth > s_.depth[i])) {
         ++s_.stats.fragments_depth_failed;
         return;
