@@ -308,8 +308,18 @@ TEST(Ids, AreTheDrawsOwnUnlessTheyAreOverridden) {
 TEST(Ids, CountPrimitivesAsTheDrawHasThemEvenIfSomeAreNotDrawn) {
   // Quad 0 lies outside, quad 1 has no area, quad 2 covers the pixel.
   SmallScene scene = one_pixel();
-  scene.window(Topology::quads, {{5, 5, 0}, {6, 5, 0}, {6, 6, 0}, {5, 6, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
-                                 {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  scene.window(Topology::quads, {{5, 5, 0},
+                                 {6, 5, 0},
+                                 {6, 6, 0},
+                                 {5, 6, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {1, 0, 0},
+                                 {1, 1, 0},
+                                 {0, 1, 0}});
   scene.render();
   EXPECT_EQ(scene.image.ids[0], (Ids{0, 2}));
 }
