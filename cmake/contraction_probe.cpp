@@ -1,4 +1,4 @@
-// Compiled with the flags of the build and run when CMake configures (NUMERICS: determinism): ends with status 0 if
+// Compiled with the flags of the build and run when CMake configures (notes/numerics.md): ends with status 0 if
 // arithmetic is plain IEEE, else prints the first thing that is not.
 #include <cfloat>
 #include <cstdio>

@@ -42,7 +42,10 @@ constexpr const char* kDrawFooter =
     "1 near), the same in clip space: clip, clip_quads, clip_lines, clip_line_strip, clip_points (x, y, z, w), or\n"
     "discs {center, radius}, surfels {center, normal, radius}. Also: color, colors, uv, texture {size, rgba,\n"
     "filter, wrap, wrap_u, wrap_v, border, max_anisotropy, mips}, alpha_test, cull, blend, depth_test,\n"
-    "depth_write, scissor, stipple {pattern, factor} (lines), point_size (points).\n";
+    "depth_write, scissor, stipple {pattern, factor} (lines), point_size (points).\n"
+    "Values: filter nearest|bilinear|trilinear|anisotropic, wrap repeat|mirror|clamp|border, cull none|back|front,\n"
+    "blend none|over|add, samples a power of two up to 128. Defaults: clear [0,0,0,255], color [255,255,255,255],\n"
+    "filter nearest, wrap repeat, cull and blend none, depth_test true, depth_write true without blending.\n";
 
 /// Options as they stand on the command line, before they are checked.
 struct CommandLine {
@@ -65,7 +68,9 @@ void add_common_options(CLI::App& app, CommandLine& line) {
   app.add_option("--pipeline", line.pipeline, "fast or reference (default fast)")->option_text("NAME");
   app.add_option("--skip", line.skip, "all, none or a list: the renderer's skips that are on (default all)")
       ->option_text("LIST");
-  app.footer(std::string("None of the last four moves a pixel.\n\n") + kExamples);
+  app.footer(std::string("--threads, --target, --pipeline and --skip move no pixel. Today there is one pipeline, the reference;\n"
+                         "--stats says what ran.\n\n") +
+             kExamples);
 }
 
 CLI::App* add_draw(CLI::App& app, DrawOptions& draw) {
@@ -127,7 +132,7 @@ int run(int argc, const char* const* argv, std::istream& in, std::ostream& out, 
     if (success.get_name() == "CallForVersion") {
       out << success.what() << std::endl;
     } else {
-      out << (draw_command->parsed() ? draw_command->help() : app.help()) << std::flush;
+      out << (draw_command->parsed() ? draw_command->help("lodestone") : app.help()) << std::flush;
     }
     return out ? int(Status::done) : fail(err, Status::machine_failed, "standard output: cannot be written");
   } catch (const CLI::ParseError& error) {

@@ -8,10 +8,6 @@
 #include <xmmintrin.h>
 #endif
 
-#if defined(__FAST_MATH__)
-#error "lodestone's pixels are defined in IEEE arithmetic: build without -ffast-math"
-#endif
-
 namespace lode::raster {
 
 class FpEnvironment {
@@ -30,10 +26,10 @@ class FpEnvironment {
   static constexpr std::uint64_t kDefault = 0;  // FPCR: nearest, no flush to zero
   static std::uint64_t read() {
     std::uint64_t value;
-    asm volatile("mrs %0, fpcr" : "=r"(value));
+    asm volatile("mrs %0, fpcr" : "=r"(value) : : "memory");
     return value;
   }
-  static void write(std::uint64_t value) { asm volatile("msr fpcr, %0" : : "r"(value)); }
+  static void write(std::uint64_t value) { asm volatile("msr fpcr, %0" : : "r"(value) : "memory"); }
 #else  // WebAssembly: the environment cannot be changed
   static constexpr std::uint64_t kDefault = 0;
   static std::uint64_t read() { return 0; }

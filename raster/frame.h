@@ -1,6 +1,6 @@
 #pragma once
 /// What is to be drawn: a frame is a list of draws, a draw one array of primitives with one state. Everything
-/// is borrowed (spans and pointers must outlive the render); nothing here owns memory of its own.
+/// is borrowed (spans and pointers must outlive the render), but for a shader's state, which is shared.
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -42,11 +42,12 @@ struct WindowVertices {
 };
 using Vertices = std::variant<ObjectVertices, ClipVertices, WindowVertices>;
 
-enum class Cull : std::uint8_t { none, back, front };  ///< front: counter-clockwise as seen
+enum class Cull : std::uint8_t { none, back, front };  ///< triangles and quads; front: counter-clockwise as seen
 enum class Blend : std::uint8_t { none, over, add };   ///< over: premultiplied, s + d·(1 − sₐ); add: s + d
 
 /// Lines only. Bit k of the pattern is fragment k·factor … k·factor + factor − 1, lowest bit first; the count
-/// starts anew at each segment of `lines`, and once for a `line_strip`.
+/// starts anew at each segment of `lines`, and once for a `line_strip`. Fragments outside the target and the scissor
+/// count; a segment that is cut counts from its cut, and what lies beyond a clip plane counts nothing.
 struct Stipple {
   std::uint16_t pattern = 0xFFFF;
   int factor = 1;  ///< 1…256
@@ -55,7 +56,7 @@ struct Stipple {
 struct Draw {
   Topology topology = Topology::triangles;
   Vertices vertices;
-  std::span<const std::uint32_t> indices;  ///< empty: vertices in order
+  std::optional<std::span<const std::uint32_t>> indices;  ///< absent: vertices in order; empty: nothing is drawn
 
   // Per vertex; each empty or as long as the positions.
   std::span<const glm::vec4> colors;   ///< in the target's unit
@@ -94,10 +95,11 @@ inline constexpr glm::ivec2 kCentreSample_fx8[] = {{128, 128}};
 struct Frame {
   std::span<const Draw> draws;
   glm::vec4 clear{0.0f, 0.0f, 0.0f, 0.0f};  ///< in the target's unit
-  std::optional<Rect> viewport;             ///< where clip space lands; may leave the target; default all of it
+  /// Where clip space lands; may leave the target; at most 65536 px a side and from the origin; default all of it.
+  std::optional<Rect> viewport;
   std::optional<Rect> scissor;              ///< limits every draw; the clear fills the target
   /// Sample positions in a pixel, 1/256 px from its upper left corner, each in [0, 256). The colours of all are
-  /// averaged; with more than one the image must have neither depth nor ids.
+  /// averaged; with more than one (up to 1024) the image must have neither depth nor ids.
   std::span<const glm::ivec2> samples_fx8 = kCentreSample_fx8;
 };
 

@@ -102,7 +102,11 @@ std::string compare_golden(const Image& image, const std::string& path) {
     report = std::string(error.what()) + "\n";
   }
   const std::string actual_path = std::filesystem::path(path).stem().string() + ".actual.pam";
-  write_pam(image, actual_path);
+  try {
+    write_pam(image, actual_path);
+  } catch (const Error& error) {  // the difference is what counts
+    return report + "the picture drawn could not be kept: " + error.what() + "\n";
+  }
   return report + "drawn: " + std::filesystem::absolute(actual_path).string() + "\nif that is right: cp '" +
          std::filesystem::absolute(actual_path).string() + "' '" + path + "'\n";
 }

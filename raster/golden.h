@@ -16,7 +16,7 @@ namespace lode::raster {
 ///   image     rgba8, with a colour plane; else Error bad_input is thrown
 ///   returns   empty if every byte is the same; else a report of several lines: the reason or the number of differing
 ///             pixels, the first ten of them with both values, and where the picture drawn has been written:
-///             <file name>.actual.pam in the working directory. If that picture is right, copy it over the reference.
+///             <file name without its ending>.actual.pam in the working directory. If that picture is right, copy it over the reference.
 ///   A reference that is missing, not readable or of another size is a difference.
 [[nodiscard]] std::string compare_golden(const Image& image, const std::string& path);
 

@@ -13,7 +13,7 @@ namespace lode::raster {
 /// Changes only when a rule that decides pixels changes; notes/pixel_contract.md says which pixels moved.
 inline constexpr int kPixelContract = 1;
 
-/// None of these moves a pixel.
+/// Neither the number of threads nor the tile size moves a pixel.
 struct RenderOptions {
   int threads = 0;         ///< 0: one per processor; at most 256 are used
   int tile_size_px = 64;   ///< 8…256, a power of two; counters depend on it

@@ -18,6 +18,10 @@
 #include <type_traits>
 #include <utility>
 
+#if defined(__FAST_MATH__)
+#error "lodestone's pixels are defined in IEEE arithmetic: build without -ffast-math"
+#endif
+
 namespace lode::raster {
 
 inline constexpr int kMaxShadeBatch = 64;

@@ -114,9 +114,10 @@ void check_vertices(const Draw& draw, std::size_t i) {
   if (n_positions > 0xFFFFFFFFu || primitive_count(draw) > kMaxPrimitives) {
     throw Error(ErrorKind::bad_input, "draw %zu: more than 2^32 - 2 primitives", i);
   }
-  for (std::size_t k = 0; k < draw.indices.size(); ++k) {
-    if (draw.indices[k] >= n_positions) {
-      throw Error(ErrorKind::bad_input, "draw %zu: index %zu is %u, expected below %zu", i, k, draw.indices[k], n_positions);
+  const std::span<const std::uint32_t> indices = draw.indices.value_or(std::span<const std::uint32_t>{});
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    if (indices[k] >= n_positions) {
+      throw Error(ErrorKind::bad_input, "draw %zu: index %zu is %u, expected below %zu", i, k, indices[k], n_positions);
     }
   }
   if (draw.topology == Topology::surfels && !std::holds_alternative<ObjectVertices>(draw.vertices)) {
@@ -142,7 +143,7 @@ std::size_t position_count(const Draw& draw) {
 }
 
 std::size_t vertex_count(const Draw& draw) {
-  return draw.indices.empty() ? position_count(draw) : draw.indices.size();
+  return draw.indices ? draw.indices->size() : position_count(draw);
 }
 
 std::size_t primitive_count(const Draw& draw) {

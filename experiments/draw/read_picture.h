@@ -1,5 +1,5 @@
 #pragma once
-/// Reads the JSON of `lodestone draw` (INTERFACE.md has an example of everything in it). Every key, type and
+/// Reads the JSON of `lodestone draw` (`lodestone draw --help` lists what may be in it). Every key, type and
 /// range is checked; what is wrong is said with its JSON path.
 
 #include <iosfwd>

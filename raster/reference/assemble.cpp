@@ -20,7 +20,7 @@ struct Chunk {
 };
 
 std::uint32_t vertex_index(const Draw& draw, std::size_t k) {
-  return draw.indices.empty() ? std::uint32_t(k) : draw.indices[k];
+  return draw.indices ? (*draw.indices)[k] : std::uint32_t(k);
 }
 
 PixelBox pixels_of(const Rect& rect) {  // the far corner must not overflow

@@ -1,4 +1,4 @@
-// NUMERICS section 3: shared edges exactly once, slivers, and the 128-bit oracle, at full counts.
+// notes/numerics.md, stress counts: shared edges exactly once, slivers, and the 128-bit oracle, at full counts.
 
 #include <gtest/gtest.h>
 

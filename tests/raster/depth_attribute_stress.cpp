@@ -1,4 +1,4 @@
-// Depth (C5) and attributes (C7) at NUMERICS' counts: 10^7 samples, 10^9 in a long run.
+// Depth (C5) and attributes (C7) at full counts: 10^7 samples, 10^9 in a long run.
 #include "rational_checks.h"
 #include "stress_count.h"
 

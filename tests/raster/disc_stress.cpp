@@ -1,4 +1,4 @@
-/// Squares and discs against GMP: NUMERICS section 3, row "lines, discs, surfels".
+/// Squares and discs against GMP: notes/numerics.md, stress counts, row "lines, discs, surfels".
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Hostile input (NUMERICS.md, section 3): the right picture, derived here, or nothing at all.
+// Hostile input (notes/numerics.md, stress counts): the right picture, derived here, or nothing at all.
 #include <cmath>
 
 #include "everything.h"

@@ -1,4 +1,4 @@
-/// Lines against the oracle of line_oracle.h: NUMERICS section 3, rows "slivers" and "lines".
+/// Lines against the oracle of line_oracle.h: notes/numerics.md, stress counts, rows "slivers" and "lines".
 
 #include <gtest/gtest.h>
 

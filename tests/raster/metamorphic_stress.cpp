@@ -1,4 +1,4 @@
-// NUMERICS section 3: metamorphic relations at full counts, each relation that many cases.
+// notes/numerics.md, stress counts: metamorphic relations at full counts, each relation that many cases.
 
 #include <gtest/gtest.h>
 

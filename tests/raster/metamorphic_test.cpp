@@ -1,4 +1,4 @@
-// What may be changed without a bit of the picture changing (NUMERICS section 3), a few thousand cases each;
+// What may be changed without a bit of the picture changing (notes/numerics.md, stress counts), a few thousand cases each;
 // metamorphic_stress.cpp has the large counts.
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Who owns a sample (C6; DESIGN.md, "Order matters only where it must"): order-free draws by depth and key, ordered
+// Who owns a sample (C6; notes/rasterization.md, "Depth and order"): order-free draws by depth and key, ordered
 // draws in submission order after them.
 #include <algorithm>
 #include <array>

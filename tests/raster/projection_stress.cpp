@@ -1,4 +1,4 @@
-// NUMERICS section 3: exactly-once through projection, near and far clip and guard band, at full counts.
+// notes/numerics.md, stress counts: exactly-once through projection, near and far clip and guard band, at full counts.
 
 #include <gtest/gtest.h>
 

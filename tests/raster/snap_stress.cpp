@@ -1,4 +1,4 @@
-// NUMERICS section 3: snapping over float patterns, rational positions, and clipped edges from both sides, at full
+// notes/numerics.md, stress counts: snapping over float patterns, rational positions, and clipped edges from both sides, at full
 // counts. The long run of the first goes through all 2^32 patterns.
 
 #include <gtest/gtest.h>

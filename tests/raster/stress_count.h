@@ -1,5 +1,5 @@
 #pragma once
-/// How many cases a stress test runs (NUMERICS section 3): LODESTONE_STRESS=ci, the default, or long.
+/// How many cases a stress test runs (notes/numerics.md, stress counts): LODESTONE_STRESS=ci, the default, or long.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,4 @@
-/// Surfels against the oracle of surfel_oracle.h: NUMERICS section 3, row "lines, discs, surfels". Coverage at the
+/// Surfels against the oracle of surfel_oracle.h: notes/numerics.md, stress counts, row "lines, discs, surfels". Coverage at the
 /// samples, all 1/256 px apart, on either side of the rim or of a clipping plane; depth at those inside.
 
 #include <gtest/gtest.h>
