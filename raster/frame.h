@@ -76,7 +76,7 @@ struct Draw {
   Blend blend = Blend::none;
   bool depth_test = true;
   std::optional<bool> depth_write;  ///< default: on without blending, off with it
-  std::optional<float> alpha_test;  ///< keeps a sample whose shaded alpha is at least this (1 = opaque)
+  std::optional<double> alpha_test;  ///< keeps a sample whose shaded alpha, of 1, is at least this
   std::optional<Rect> scissor;
   std::optional<Stipple> stipple;
 

@@ -107,6 +107,14 @@ class DocumentBuilder {
 }  // namespace
 
 json parse_json(std::string_view text, const std::string& name) {
+  // The parser takes a NUL for the end of the text; what follows it must not be lost without a word.
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    const std::string_view before = text.substr(0, nul);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = nul - (before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1) + 1;
+    throw Error(Status::bad_input, name + ": line " + std::to_string(line) + ", column " + std::to_string(column) +
+                                       ": a NUL byte: expected JSON text");
+  }
   DocumentBuilder builder(text, name);
   if (!json::sax_parse(text.begin(), text.end(), &builder)) throw Error(Status::bad_input, name + ": not JSON");
   return std::move(builder.document);

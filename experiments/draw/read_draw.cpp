@@ -63,7 +63,7 @@ void read_state(const JsonView& view, const DrawContext& context, raster::Draw& 
   if (const auto blend = view.find("blend")) state.blend = kBlends[blend->choice({"none", "over", "add"})];
   if (const auto test = view.find("depth_test")) state.depth_test = test->boolean();
   if (const auto write = view.find("depth_write")) state.depth_write = write->boolean();
-  if (const auto alpha = view.find("alpha_test")) state.alpha_test = float(alpha->number(0.0, 1.0));
+  if (const auto alpha = view.find("alpha_test")) state.alpha_test = alpha->number(0.0, 1.0);
   if (const auto scissor = view.find("scissor")) state.scissor = read_rect(*scissor);
   if (const auto stipple = view.find("stipple")) state.stipple = read_stipple(*stipple);
   if (const auto size = view.find("point_size")) state.point_size_px = read_length_px(*size, context);

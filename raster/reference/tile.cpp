@@ -79,7 +79,7 @@ class TilePainter {
   bool passes_alpha_test(const Draw& draw, const Piece& piece, glm::ivec2 px, float depth, glm::vec4* rgba) {
     shade(draw, piece, format_, {{&px, 1}, {&depth, 1}, sample_fx8_}, rgba, s_.stats);
     const double full = format_ == ColorFormat::rgba8 ? 255.0 : 1.0;
-    if (double(rgba->a) >= double(*draw.alpha_test) * full) return true;  // NaN fails
+    if (double(rgba->a) / full >= *draw.alpha_test) return true;  // NaN fails
     ++s_.stats.fragments_alpha_failed;
     return false;
   }

@@ -29,6 +29,7 @@ TEST(DrawErrors, SyntaxGivesLineAndColumn) {
   expect_error(
       "",
       "line 1, column 1: syntax error while parsing value - unexpected end of input; expected '[', '{', or a literal");
+  expect_error(std::string("{\n \0}", 5), "line 2, column 2: a NUL byte: expected JSON text");
   expect_error("{\"size\": [1e999, 1]}", "line 1, column 15: number overflow parsing '1e999'");
 }
 

@@ -15,7 +15,7 @@ struct Measured {
   std::uint64_t samples = 0;
   double depth_ulp = 0.0;
   double attribute_ulp = 0.0;
-  std::uint64_t outside_hull = 0;   ///< depth or attribute beyond its vertices' values
+  std::uint64_t outside_hull = 0;    ///< depth or attribute beyond its vertices' values
   std::uint64_t constant_moved = 0;  ///< an attribute equal at all vertices that is not so inside
 };
 
@@ -60,7 +60,9 @@ inline CornerData random_corners(HashedNumbers& numbers, const Family& family) {
   const auto near_target = [&] {
     return glm::ivec2{numbers.between(-size_fx8.x, 2 * size_fx8.x), numbers.between(-size_fx8.y, 2 * size_fx8.y)};
   };
-  const auto in_guard_band = [&] { return glm::ivec2{numbers.between(-(1 << 23), 1 << 23), numbers.between(-(1 << 23), 1 << 23)}; };
+  const auto in_guard_band = [&] {
+    return glm::ivec2{numbers.between(-(1 << 23), 1 << 23), numbers.between(-(1 << 23), 1 << 23)};
+  };
   const bool far_reaching = !family.perspective && numbers.below(2) == 0;
   c.p_fx8[0] = far_reaching ? in_guard_band() : near_target();
   c.p_fx8[1] = far_reaching ? in_guard_band() : near_target();
@@ -115,7 +117,8 @@ inline void add_corners(SmallScene& scene, const std::vector<CornerData>& all, c
       colors.push_back(c.color[i]);
     }
   }
-  Draw& draw = family.perspective ? scene.clip(family.topology, std::move(clip)) : scene.window(family.topology, std::move(window));
+  Draw& draw = family.perspective ? scene.clip(family.topology, std::move(clip))
+                                  : scene.window(family.topology, std::move(window));
   draw.colors = scene.keep(std::move(colors));
 }
 

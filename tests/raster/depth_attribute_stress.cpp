@@ -12,16 +12,22 @@ void expect_pictures(const char* what, const Family& family, std::uint64_t ci) {
 }
 
 TEST(DepthAndAttributesStress, OfTrianglesInPerspectiveAreWithinTheirBounds) {
-  expect_pictures("triangles, w ratio to 10^6", {.topology = Topology::triangles, .perspective = true, .size_px = {256, 256}}, 5'000'000);
+  expect_pictures("triangles, w ratio to 10^6",
+                  {.topology = Topology::triangles, .perspective = true, .size_px = {256, 256}}, 5'000'000);
 }
 TEST(DepthAndAttributesStress, OfTrianglesAcrossTheGuardBandAreWithinTheirBounds) {
-  expect_pictures("triangles in window space", {.topology = Topology::triangles, .perspective = false, .size_px = {256, 256}}, 4'000'000);
+  expect_pictures("triangles in window space",
+                  {.topology = Topology::triangles, .perspective = false, .size_px = {256, 256}}, 4'000'000);
 }
 TEST(DepthAndAttributesStress, OfLinesInPerspectiveAreWithinTheirBounds) {
-  expect_pictures("lines, w ratio to 10^6", {.topology = Topology::lines, .perspective = true, .size_px = {256, 256}, .primitives = 200}, 500'000);
+  expect_pictures("lines, w ratio to 10^6",
+                  {.topology = Topology::lines, .perspective = true, .size_px = {256, 256}, .primitives = 200},
+                  500'000);
 }
 TEST(DepthAndAttributesStress, OfLinesAcrossTheGuardBandAreWithinTheirBounds) {
-  expect_pictures("lines in window space", {.topology = Topology::lines, .perspective = false, .size_px = {256, 256}, .primitives = 200}, 500'000);
+  expect_pictures("lines in window space",
+                  {.topology = Topology::lines, .perspective = false, .size_px = {256, 256}, .primitives = 200},
+                  500'000);
 }
 
 TEST(AttributesStress, AreSumsOfCorrectlyRoundedWeightsInCanonicalOrder) {
@@ -37,7 +43,8 @@ TEST(TextureCoordinatesStress, AndTheirDerivativesFollowTheExactPlane) {
 }
 
 TEST(ClippedTrianglesStress, InterpolateTheAttributesOfTheirOwnVertices) {
-  const ClippedMeasured m = check_clipped(stress_count("samples of clipped triangles in rationals", 100'000, 10'000'000), 2);
+  const ClippedMeasured m =
+      check_clipped(stress_count("samples of clipped triangles in rationals", 100'000, 10'000'000), 2);
   print(m);
   expect_contract(m);
 }

@@ -1,8 +1,7 @@
 // Depth (C5) and attributes (C7) at the samples of triangles and lines.
-#include "depth_attribute_checks.h"
-
 #include <bit>
 
+#include "depth_attribute_checks.h"
 #include "everything.h"
 #include "rational_checks.h"
 
@@ -22,10 +21,12 @@ TEST(DepthAndAttributes, OfTrianglesAcrossTheGuardBandAreWithinTheirBounds) {
   expect_pictures("triangles in window space", {.topology = Topology::triangles, .perspective = false}, 300'000);
 }
 TEST(DepthAndAttributes, OfLinesInPerspectiveAreWithinTheirBounds) {
-  expect_pictures("lines, w ratio to 10^6", {.topology = Topology::lines, .perspective = true, .primitives = 100}, 50'000);
+  expect_pictures("lines, w ratio to 10^6", {.topology = Topology::lines, .perspective = true, .primitives = 100},
+                  50'000);
 }
 TEST(DepthAndAttributes, OfLinesAcrossTheGuardBandAreWithinTheirBounds) {
-  expect_pictures("lines in window space", {.topology = Topology::lines, .perspective = false, .primitives = 100}, 50'000);
+  expect_pictures("lines in window space", {.topology = Topology::lines, .perspective = false, .primitives = 100},
+                  50'000);
 }
 
 TEST(Attributes, AreSumsOfCorrectlyRoundedWeightsInCanonicalOrder) {
@@ -46,16 +47,17 @@ TEST(ClippedTriangles, InterpolateTheAttributesOfTheirOwnVertices) {
   expect_contract(m);
 }
 
-/// A triangle of 2×2 px with z = z₀ + x·2^-32 at x sub-pixels. All products in C5's formula are exact in double (18 bits
-/// times 32), so its quotient is exact, too: in pixel column k it is z₀ + (2k + 1)·2^-25, half way between two floats.
-/// z₀ is just below 1, where a double's places are closest for its size: there a reciprocal's rounding shows.
+/// A triangle of 2×2 px with z = z₀ + x·2^-32 at x sub-pixels. All products in C5's formula are exact in double (18
+/// bits times 32), so its quotient is exact, too: in pixel column k it is z₀ + (2k + 1)·2^-25, half way between two
+/// floats. z₀ is just below 1, where a double's places are closest for its size: there a reciprocal's rounding shows.
 TEST(Depth, HalfWayBetweenTwoFloatsGoesToTheEvenOneBecauseItIsDividedNotMultiplied) {
   HashedNumbers numbers(5);
   constexpr float kZ0 = 1.0f - 0x1p-8f;
   const auto z_at = [](double x_px) { return double(kZ0) + x_px * 256.0 * 0x1p-32; };
   int n = 0;
   for (int k = 0; k < 500; ++k) {
-    const double x0 = numbers.between(0, 60) / 256.0, x1 = numbers.between(440, 512) / 256.0, x2 = numbers.between(0, 512) / 256.0;
+    const double x0 = numbers.between(0, 60) / 256.0, x1 = numbers.between(440, 512) / 256.0,
+                 x2 = numbers.between(0, 512) / 256.0;
     const double y1 = numbers.between(0, 60) / 256.0, y2 = numbers.between(440, 512) / 256.0;
     SmallScene scene({2, 2});
     scene.window(Topology::triangles, {{x0, 0, z_at(x0)}, {x1, y1, z_at(x1)}, {x2, y2, z_at(x2)}});
@@ -112,7 +114,8 @@ TEST(Depth, GrowsTowardsTheEyeAndEndsAtOneAndZero) {
   // Perspective, near 1: depth 1/d. A plane from d = 1 at the bottom edge to d = 2^30 at the top one; above 1 in clip
   // space it is cut, below 0 there is nothing with an infinite far plane.
   SmallScene scene({1, 64});
-  scene.clip(Topology::quads, {{-1, -1, 1, 1}, {1, -1, 1, 1}, {0x1p30, 0x1p30, 1, 0x1p30}, {-0x1p30, 0x1p30, 1, 0x1p30}});
+  scene.clip(Topology::quads,
+             {{-1, -1, 1, 1}, {1, -1, 1, 1}, {0x1p30, 0x1p30, 1, 0x1p30}, {-0x1p30, 0x1p30, 1, 0x1p30}});
   scene.render();
   for (std::size_t i = 0; i + 1 < 64; ++i) {
     EXPECT_LT(scene.image.depth[i], scene.image.depth[i + 1]);
@@ -146,7 +149,8 @@ TEST(Attributes, AreAffineWhereTheThreeWAreBitwiseEqual) {
     if (!triangle || std::min({e[0], e[1], e[2]}) < 0) continue;
     const reference::VertexWeights weights = reference::weights_at(*triangle, sample);
     const double sum = double(e[0] + e[1] + e[2]);
-    for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(weights[i], double(e[std::size_t(order[i])]) / sum) << "triangle " << k;
+    for (std::size_t i = 0; i < 3; ++i)
+      ASSERT_EQ(weights[i], double(e[std::size_t(order[i])]) / sum) << "triangle " << k;
     ++n;
   }
   EXPECT_GT(n, 200);
@@ -184,14 +188,16 @@ TEST(TurnedVertices, GiveTheSameBits) {
       // Half of the triangles reach behind the near plane z = w, or far out of the guard band.
       const double w = k % 2 == 0 ? 0.5 + 4.0 * numbers.unit() : 3.0 * numbers.unit() - 0.7;
       const double size = k % 4 == 1 ? 1e5 : 2.0;
-      corners.push_back({size * (numbers.unit() - 0.5) * w, size * (numbers.unit() - 0.5) * w, 0.2 * numbers.unit(), w});
+      corners.push_back(
+          {size * (numbers.unit() - 0.5) * w, size * (numbers.unit() - 0.5) * w, 0.2 * numbers.unit(), w});
     }
     for (const bool window : {false, true}) {
       if (window && k % 4 == 1) continue;
       const Image first = picture_of_turned(corners, {0, 1, 2}, window);
       for (const Ids& id : first.ids) n_drawn += id.draw != kNoId ? 1 : 0;
       for (const auto& order : {std::array<std::size_t, 3>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
-        ASSERT_TRUE(same_bytes(first, picture_of_turned(corners, order, window))) << k << (window ? " window" : " clip");
+        ASSERT_TRUE(same_bytes(first, picture_of_turned(corners, order, window)))
+            << k << (window ? " window" : " clip");
       }
     }
   }

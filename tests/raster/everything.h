@@ -40,23 +40,30 @@ inline void add_everything(SmallScene& scene) {
     return p;
   };
   std::vector<glm::u8vec4> texels;
-  for (int i = 0; i < 8 * 5; ++i) texels.push_back(glm::u8vec4(glm::uvec4{numbers.below(256), numbers.below(256), numbers.below(256), i % 3 == 0 ? 40u : 255u}));
+  for (int i = 0; i < 8 * 5; ++i)
+    texels.push_back(
+        glm::u8vec4(glm::uvec4{numbers.below(256), numbers.below(256), numbers.below(256), i % 3 == 0 ? 40u : 255u}));
   const Texture* texture = &scene.keep(std::vector<Texture>{make_raw_texture({8, 5}, texels, Mips::all)})[0];
 
-  Draw& ground = scene.object(Topology::quads, {{-9, -1, 3}, {9, -1, 3}, {30, -1, -80}, {-30, -1, -80}}, perspective(0.1));
+  Draw& ground =
+      scene.object(Topology::quads, {{-9, -1, 3}, {9, -1, 3}, {30, -1, -80}, {-30, -1, -80}}, perspective(0.1));
   ground.uvs = random_uvs(4);  // behind the eye at one end, so clipped
   ground.texture = texture;
   ground.sampler = {.filter = Filter::anisotropic, .wrap_u = Wrap::repeat, .wrap_v = Wrap::mirror};
 
-  Draw& mesh = scene.object(Topology::triangles, {{-2, -1, -4}, {1, -1, -3}, {0, 1.5f, -5}, {2, 1, -2}, {-3, 2, -9}, {-1, 0, -1}}, perspective(0.1));
+  Draw& mesh =
+      scene.object(Topology::triangles,
+                   {{-2, -1, -4}, {1, -1, -3}, {0, 1.5f, -5}, {2, 1, -2}, {-3, 2, -9}, {-1, 0, -1}}, perspective(0.1));
   mesh.indices = scene.keep<std::uint32_t>({0, 1, 2, 1, 3, 2, 4, 0, 2, 5, 1, 0, 3, 4, 5});
   mesh.normals = scene.keep<glm::vec3>({{0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {1, 1, 1}});
   mesh.colors = random_colors(6);
   mesh.shader = lambert_shader({.to_light = {0, 0.6f, 0.8f}, .two_sided = true});
   mesh.cull = Cull::back;
 
-  scene.clip(Topology::triangles, {{-5e5, -0.2, 0.2, 1}, {8e5, 0.1, 0.9, 1}, {0, 0.3, 0.4, 1},
-                                   {0, 0, 2, 1}, {1, 0, 2, 1}, {0, 1, 2, 1}}).colors = random_colors(6);
+  scene
+      .clip(Topology::triangles,
+            {{-5e5, -0.2, 0.2, 1}, {8e5, 0.1, 0.9, 1}, {0, 0.3, 0.4, 1}, {0, 0, 2, 1}, {1, 0, 2, 1}, {0, 1, 2, 1}})
+      .colors = random_colors(6);
   scene.window(Topology::triangles, random_window(60)).colors = random_colors(60);
 
   Draw& cut_out = scene.window(Topology::triangles, random_window(24));
@@ -73,7 +80,8 @@ inline void add_everything(SmallScene& scene) {
   strip.blend = Blend::over;
   strip.color = glm::vec4(0.25f, 0.5f, 0.0f, 0.5f) * full;
   strip.depth_test = false;
-  scene.object(Topology::lines, {{0, 0, 5}, {1, 1, -7}, {-1, 0, -2}, {1, -0.5f, -3}}, perspective(0.1)).colors = random_colors(4);
+  scene.object(Topology::lines, {{0, 0, 5}, {1, 1, -7}, {-1, 0, -2}, {1, -0.5f, -3}}, perspective(0.1)).colors =
+      random_colors(4);
 
   Draw& points = scene.window(Topology::points, random_window(12));
   points.point_size_px = 3.3f;
@@ -84,12 +92,15 @@ inline void add_everything(SmallScene& scene) {
   discs.blend = Blend::add;
   discs.color = glm::vec4(0.5f) * full;
 
-  Draw& surfels = scene.object(Topology::surfels, {{-1, 0, -4}, {0, 0.5f, -3.6f}, {1, -0.5f, -6}, {0.5f, 0.5f, -5}}, perspective(3.5));
+  Draw& surfels = scene.object(Topology::surfels, {{-1, 0, -4}, {0, 0.5f, -3.6f}, {1, -0.5f, -6}, {0.5f, 0.5f, -5}},
+                               perspective(3.5));
   surfels.normals = scene.keep<glm::vec3>({{0, 0, 1}, {1, 1, 1}, {0, 1, 0.2f}, {0, 0, 0}});
   surfels.radii = scene.keep<float>({0.5f, 0.4f, 1.5f, 1.0f});
   surfels.colors = random_colors(4);
 
-  Draw& glass = scene.window(Topology::quads, {{0, 0, 0.98}, {w, 0, 0.6}, {w, h, 0.9}, {0, h, 0.2}, {1, 1, 0.9}, {w, 2, 0.99}, {9, h, 0.4}, {2, h, 0.1}});
+  Draw& glass = scene.window(
+      Topology::quads,
+      {{0, 0, 0.98}, {w, 0, 0.6}, {w, h, 0.9}, {0, h, 0.2}, {1, 1, 0.9}, {w, 2, 0.99}, {9, h, 0.4}, {2, h, 0.1}});
   glass.blend = Blend::over;
   glass.depth_write = true;
   glass.colors = random_colors(8);

@@ -14,7 +14,9 @@ struct Count {
   std::uint64_t covered, visible;
   friend bool operator==(const Count&, const Count&) = default;
 };
-std::ostream& operator<<(std::ostream& out, const Count& c) { return out << c.covered << " covered, " << c.visible << " visible"; }
+std::ostream& operator<<(std::ostream& out, const Count& c) {
+  return out << c.covered << " covered, " << c.visible << " visible";
+}
 
 std::vector<Count> counts_of(SmallScene& scene) {
   std::vector<DrawStats> stats(scene.draws.size(), {12345, 12345});  // whatever was there is overwritten
@@ -26,18 +28,18 @@ std::vector<Count> counts_of(SmallScene& scene) {
 
 TEST(DrawStats, CountSamplesAfterTheAlphaTestAndSamplesOwnedAtTheEnd) {
   SmallScene scene({4, 4});
-  scene.rect({0, 0}, {4, 4}, 0.25, kBlue);                    // 16 covered; loses 4 to draw 1
-  scene.rect({1, 1}, {3, 3}, 0.5, kRed);                      // 4 covered, 4 owned
-  scene.rect({0, 0}, {4, 1}, 0.125, kRed);                    // 4 covered, all hidden by draw 0
+  scene.rect({0, 0}, {4, 4}, 0.25, kBlue);                          // 16 covered; loses 4 to draw 1
+  scene.rect({1, 1}, {3, 3}, 0.5, kRed);                            // 4 covered, 4 owned
+  scene.rect({0, 0}, {4, 1}, 0.125, kRed);                          // 4 covered, all hidden by draw 0
   scene.rect({0, 0}, {4, 4}, 0.9, {0, 0, 0, 1}).alpha_test = 0.5f;  // all 16 fail the alpha test
-  scene.rect({3, 3}, {9, 9}, 0.5, kRed);                      // 1 sample in the target, owned
+  scene.rect({3, 3}, {9, 9}, 0.5, kRed);                            // 1 sample in the target, owned
   EXPECT_EQ(counts_of(scene), (std::vector<Count>{{16, 11}, {4, 4}, {4, 0}, {0, 0}, {1, 1}}));
 }
 
 TEST(DrawStats, CountSamplesThatPassedTheDepthTestForDrawsThatBlendOrWriteNoDepth) {
   SmallScene scene({4, 4});
-  scene.rect({0, 0}, {4, 2}, 0.5, kBlue);                // 8 covered, 8 owned: what follows writes no depth
-  scene.rect({0, 0}, {4, 4}, 0.25, kRed).blend = Blend::add;  // 16 covered, 8 hidden
+  scene.rect({0, 0}, {4, 2}, 0.5, kBlue);                      // 8 covered, 8 owned: what follows writes no depth
+  scene.rect({0, 0}, {4, 4}, 0.25, kRed).blend = Blend::add;   // 16 covered, 8 hidden
   scene.rect({0, 0}, {4, 4}, 0.75, kRed).blend = Blend::over;  // 16 covered, 16 passed
   scene.rect({0, 1}, {4, 4}, 0.75, kRed).depth_write = false;  // 12 covered, 12 passed
   Draw& untested = scene.rect({0, 3}, {4, 4}, 0.0, kRed);      // 4 covered, 4 passed without a test
@@ -69,8 +71,9 @@ TEST(DrawStats, AreZeroedForATargetWithoutPixels) {
 
 // A 16×16 target of 8-px tiles. "in" counts triangles, two for each quad.
 //   draw 0  quad on [0, 8)²: 2 in, 2 pieces, tile (0, 0); 64 fragments
-//   draw 1  quad on [4, 12) × [0, 4) behind it: 2 in, 2 pieces, tiles (0, 0) and (1, 0); 32 fragments, 16 of them hidden
-//   draw 2  quad on [0, 16) × [14, 16), alpha 0: 2 in, 2 pieces, tiles (0, 1) and (1, 1); 32 fragments shaded for the
+//   draw 1  quad on [4, 12) × [0, 4) behind it: 2 in, 2 pieces, tiles (0, 0) and (1, 0); 32 fragments, 16 of them
+//   hidden draw 2  quad on [0, 16) × [14, 16), alpha 0: 2 in, 2 pieces, tiles (0, 1) and (1, 1); 32 fragments shaded
+//   for the
 //           alpha test, all fail
 //   draw 3  blended quad on [0, 8) × [0, 2), in front of everything: 2 in, 2 pieces; 16 fragments shaded and blended
 //   draw 4  blended quad on [0, 2)², behind draw 0: 2 in, 2 pieces; 4 fragments hidden, not shaded
@@ -83,9 +86,17 @@ TEST(FrameStats, CountAWindowSpaceFrame) {
   scene.rect({0, 14}, {16, 16}, 0.75, {0, 0, 0, 0}).alpha_test = 0.5f;
   scene.rect({0, 0}, {8, 2}, 0.75, {9, 9, 9, 9}).blend = Blend::over;
   scene.rect({0, 0}, {2, 2}, 0.25, {9, 9, 9, 9}).blend = Blend::add;
-  scene.window(Topology::triangles, {{0, 0, kNan}, {9, 0, 0}, {0, 9, 0},                // not finite
-                                     {1, 1, 0}, {5, 5, 0}, {9, 9, 0},                   // empty
-                                     {0, 0, 0}, {9, 0, 0}, {0, 9, 0}}).cull = Cull::back;
+  scene
+      .window(Topology::triangles, {{0, 0, kNan},
+                                    {9, 0, 0},
+                                    {0, 9, 0},  // not finite
+                                    {1, 1, 0},
+                                    {5, 5, 0},
+                                    {9, 9, 0},  // empty
+                                    {0, 0, 0},
+                                    {9, 0, 0},
+                                    {0, 9, 0}})
+      .cull = Cull::back;
   FrameStats expected;
   expected.draws_in = 6;
   expected.draws_ordered = 2;
@@ -112,11 +123,21 @@ TEST(FrameStats, CountAWindowSpaceFrame) {
 //   triangle 4  triangle 0 clockwise: kept, as nothing is culled; 28 samples, all hidden
 TEST(FrameStats, CountAClipSpaceFrame) {
   SmallScene scene({8, 8});
-  scene.clip(Topology::triangles, {{-1, -1, 0.5, 1}, {1, -1, 0.5, 1}, {-1, 1, 0.5, 1},
-                                   {-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 2, 1},
-                                   {-1, -1, 2, 1}, {1, -1, 2, 1}, {-1, 1, 2, 1},
-                                   {-1, -1, -0.5, -1}, {1, -1, -0.5, -1}, {-1, 1, -0.5, -1},
-                                   {-1, 1, 0.5, 1}, {1, -1, 0.5, 1}, {-1, -1, 0.5, 1}});
+  scene.clip(Topology::triangles, {{-1, -1, 0.5, 1},
+                                   {1, -1, 0.5, 1},
+                                   {-1, 1, 0.5, 1},
+                                   {-1, -1, 0, 1},
+                                   {1, -1, 0, 1},
+                                   {-1, 1, 2, 1},
+                                   {-1, -1, 2, 1},
+                                   {1, -1, 2, 1},
+                                   {-1, 1, 2, 1},
+                                   {-1, -1, -0.5, -1},
+                                   {1, -1, -0.5, -1},
+                                   {-1, 1, -0.5, -1},
+                                   {-1, 1, 0.5, 1},
+                                   {1, -1, 0.5, 1},
+                                   {-1, -1, 0.5, 1}});
   FrameStats expected;
   expected.draws_in = 1;
   expected.primitives_in = 5;

@@ -36,8 +36,8 @@ class Clock {
 /// Ends this process, which is a child of the test: 0 if `right` and memory stays below the limit.
 [[noreturn]] void report(const char* what, bool right, double limit_mib, double seconds) {
   const double peak = peak_mib();
-  std::printf("[ MEASURED ] %s: peak %.0f MiB of %.0f allowed, render %.1f s, picture %s\n", what, peak, limit_mib, seconds,
-              right ? "right" : "WRONG");
+  std::printf("[ MEASURED ] %s: peak %.0f MiB of %.0f allowed, render %.1f s, picture %s\n", what, peak, limit_mib,
+              seconds, right ? "right" : "WRONG");
   std::fflush(stdout);
   std::exit(right && peak <= limit_mib ? 0 : 1);
 }
@@ -69,8 +69,8 @@ TEST(LargestTarget, IsRightAndStaysWithinItsMemory) {
   EXPECT_EXIT(draw_largest_target(), testing::ExitedWithCode(0), "");
 }
 
-/// Texel (x, y) is (x/64, y/64, 7, 255). On 64×64 pixels, nearest reads texel 256·p + 128: 4·p + 2. Trilinear reads level 8:
-/// blocks of 256 hold 4p … 4p + 3, rounded half up at levels 7 and 8: 4p + 2 again.
+/// Texel (x, y) is (x/64, y/64, 7, 255). On 64×64 pixels, nearest reads texel 256·p + 128: 4·p + 2. Trilinear reads
+/// level 8: blocks of 256 hold 4p … 4p + 3, rounded half up at levels 7 and 8: 4p + 2 again.
 [[noreturn]] void draw_largest_texture() {
   constexpr int kSize = 16384;
   const Clock clock;
@@ -78,7 +78,8 @@ TEST(LargestTarget, IsRightAndStaysWithinItsMemory) {
   {
     std::vector<glm::u8vec4> texels(std::size_t(kSize) * kSize);
     for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) texels[std::size_t(y) * kSize + std::size_t(x)] = glm::u8vec4(x / 64, y / 64, 7, 255);
+      for (int x = 0; x < kSize; ++x)
+        texels[std::size_t(y) * kSize + std::size_t(x)] = glm::u8vec4(x / 64, y / 64, 7, 255);
     }
     texture = make_raw_texture({kSize, kSize}, texels, Mips::all);
   }

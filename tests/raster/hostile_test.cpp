@@ -11,8 +11,8 @@ constexpr glm::vec4 kRed{255, 0, 0, 255};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
 constexpr float kNanF = std::numeric_limits<float>::quiet_NaN(), kInfF = std::numeric_limits<float>::infinity();
 constexpr float kMaxF = std::numeric_limits<float>::max(), kTinyF = std::numeric_limits<float>::denorm_min();
-constexpr Topology kTopologies[] = {Topology::triangles, Topology::quads, Topology::lines, Topology::line_strip,
-                                    Topology::points, Topology::discs, Topology::surfels};
+constexpr Topology kTopologies[] = {Topology::triangles, Topology::quads, Topology::lines,  Topology::line_strip,
+                                    Topology::points,    Topology::discs, Topology::surfels};
 
 bool is_full(const Image& image) {
   return std::all_of(image.ids.begin(), image.ids.end(), [](const Ids& ids) { return ids.draw == 0; });
@@ -26,13 +26,17 @@ bool is_empty(const Image& image) {
 // One primitive beside the picture with a NaN in it, and one in the picture: the first is counted, the second drawn.
 TEST(NanInAPosition, DiscardsItsPrimitiveAloneInEverySpaceTopologyVertexAndComponent) {
   for (const Topology topology : kTopologies) {
-    const std::size_t n = topology == Topology::quads ? 4 : topology == Topology::triangles ? 3 : topology == Topology::lines ? 2 : 1;
+    const std::size_t n = topology == Topology::quads       ? 4
+                          : topology == Topology::triangles ? 3
+                          : topology == Topology::lines     ? 2
+                                                            : 1;
     if (topology == Topology::line_strip) continue;  // shares its vertices: below
     for (int space = topology == Topology::surfels ? 2 : 0; space < 3; ++space) {
       for (std::size_t vertex = 0; vertex < n; ++vertex) {
         for (int component = 0; component < (space == 1 ? 4 : 3); ++component) {
           std::vector<glm::dvec4> p;  // the unit square's corners, in turn
-          for (std::size_t i = 0; i < 2 * n; ++i) p.push_back({i % n == 1 || i % n == 2 ? 0.9 : -0.7, i % n >= 2 ? 0.9 : -0.6, 0.5, 1});
+          for (std::size_t i = 0; i < 2 * n; ++i)
+            p.push_back({i % n == 1 || i % n == 2 ? 0.9 : -0.7, i % n >= 2 ? 0.9 : -0.6, 0.5, 1});
           for (std::size_t i = 0; i < n; ++i) p[i].x += 50.0;
           p[vertex][component] = kNan;
           SmallScene scene({8, 8});
@@ -42,12 +46,14 @@ TEST(NanInAPosition, DiscardsItsPrimitiveAloneInEverySpaceTopologyVertexAndCompo
             window.push_back({4 * q.x + 4, 4 * q.y + 4, q.z});
             object.push_back(glm::vec3(q));
           }
-          Draw& draw = space == 0 ? scene.window(topology, window) : space == 1 ? scene.clip(topology, p) : scene.object(topology, object);
+          Draw& draw = space == 0   ? scene.window(topology, window)
+                       : space == 1 ? scene.clip(topology, p)
+                                    : scene.object(topology, object);
           draw.radii = scene.keep(std::vector<float>(p.size(), 0.5f));
           draw.normals = scene.keep(std::vector<glm::vec3>(p.size(), {0, 0, 1}));
           const FrameStats stats = scene.render();
-          const std::string where = "topology " + std::to_string(int(topology)) + ", space " + std::to_string(space) + ", vertex " +
-                                    std::to_string(vertex) + ", component " + std::to_string(component);
+          const std::string where = "topology " + std::to_string(int(topology)) + ", space " + std::to_string(space) +
+                                    ", vertex " + std::to_string(vertex) + ", component " + std::to_string(component);
           EXPECT_GE(stats.primitives_not_finite, 1u) << where;
           EXPECT_LE(stats.primitives_not_finite, topology == Topology::quads ? 2u : 1u) << where;
           EXPECT_GT(stats.fragments_shaded, 0u) << where;
@@ -105,7 +111,8 @@ TEST(HugePositions, LeaveEdgesThroughThePictureWhereTheyAre) {
     const std::uint32_t expected = std::abs(below_line) < 0.5 ? 1u : below_edge > 0.0 ? 0u : kNoId;
     ASSERT_EQ(plain.ids[i].draw, expected) << x << ", " << y;
   }
-  for (const int exponent : {30, 53, 64, 100, 127, 200, 300}) EXPECT_TRUE(same_bytes(plain, picture_with(std::ldexp(1.0, exponent)))) << exponent;
+  for (const int exponent : {30, 53, 64, 100, 127, 200, 300})
+    EXPECT_TRUE(same_bytes(plain, picture_with(std::ldexp(1.0, exponent)))) << exponent;
 }
 
 TEST(HugePositions, OfALineAreClippedToWhereItPasses) {
@@ -129,14 +136,16 @@ TEST(ZerosAndDenormals, AreNumbersLikeOthers) {
     return scene.image;
   };
   const Image plain = picture_with(0.0);
-  for (const double zero : {-0.0, 5e-324, -5e-324, double(kTinyF), -double(kTinyF)}) EXPECT_TRUE(same_bytes(plain, picture_with(zero))) << zero;
+  for (const double zero : {-0.0, 5e-324, -5e-324, double(kTinyF), -double(kTinyF)})
+    EXPECT_TRUE(same_bytes(plain, picture_with(zero))) << zero;
 }
 
 // ---- w ------------------------------------------------------------------------------------------------------------
 
 TEST(W, OfZeroAtAllVerticesIsOutside) {
   SmallScene scene({4, 4});
-  scene.clip(Topology::triangles, {{-1, -1, 0, 0}, {1, -1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
+  scene.clip(Topology::triangles,
+             {{-1, -1, 0, 0}, {1, -1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
   scene.clip(Topology::lines, {{-1, -1, 0, 0}, {1, 1, 0, 0}});
   scene.clip(Topology::points, {{0, 0, 0, 0}});
   EXPECT_EQ(scene.render().primitives_outside, 4u);
@@ -177,7 +186,8 @@ TEST(W, OfAnySizeAboveTheSmallestFloatGivesTheSamePicture) {
   };
   const Image plain = picture_with(1.0);
   EXPECT_FALSE(is_empty(plain));
-  for (const int exponent : {-149, -126, -20, 20, 127, 299}) EXPECT_TRUE(same_bytes(plain, picture_with(std::ldexp(1.0, exponent)))) << exponent;
+  for (const int exponent : {-149, -126, -20, 20, 127, 299})
+    EXPECT_TRUE(same_bytes(plain, picture_with(std::ldexp(1.0, exponent)))) << exponent;
   EXPECT_TRUE(is_empty(picture_with(std::ldexp(1.0, -150))));
 }
 
@@ -185,9 +195,15 @@ TEST(W, OfAnySizeAboveTheSmallestFloatGivesTheSamePicture) {
 
 TEST(NoArea, DrawsNothingAndIsCounted) {
   SmallScene scene({8, 8});
-  scene.clip(Topology::triangles, {{0.1, 0.2, 0.5, 1}, {0.1, 0.2, 0.5, 1}, {0.1, 0.2, 0.5, 1},   // one point
-                                   {-1, -1, 0.5, 1}, {0, 0, 0.5, 1}, {1, 1, 0.5, 1},             // collinear
-                                   {-0.5, 0, 0.5, 1}, {0.5, 0, 0.5, 1}, {0, 1e-4, 0.5, 1}});     // none after the snap
+  scene.clip(Topology::triangles, {{0.1, 0.2, 0.5, 1},
+                                   {0.1, 0.2, 0.5, 1},
+                                   {0.1, 0.2, 0.5, 1},  // one point
+                                   {-1, -1, 0.5, 1},
+                                   {0, 0, 0.5, 1},
+                                   {1, 1, 0.5, 1},  // collinear
+                                   {-0.5, 0, 0.5, 1},
+                                   {0.5, 0, 0.5, 1},
+                                   {0, 1e-4, 0.5, 1}});  // none after the snap
   scene.window(Topology::triangles, {{1, 1, 0.5}, {5, 1.001, 0.5}, {7, 1, 0.5}});
   scene.window(Topology::lines, {{2, 2, 0.5}, {2, 2.001, 0.5}});
   scene.window(Topology::line_strip, {{2, 2, 0.5}});
@@ -335,7 +351,13 @@ TEST(Surfels, OfNoSizeDrawNothingAndHugeOnesEverything) {
 }
 
 TEST(Surfels, WithNormalsOfNoDirectionOrAcrossTheViewDrawNothing) {
-  for (const glm::vec3 normal : {glm::vec3{0, 0, 0}, {-0.0f, 0, -0.0f}, {kNanF, 0, 1}, {0, kNanF, 0}, {1, 0, 0}, {0, kTinyF, 0}, {kMaxF, 0, 0}}) {
+  for (const glm::vec3 normal : {glm::vec3{0, 0, 0},
+                                 {-0.0f, 0, -0.0f},
+                                 {kNanF, 0, 1},
+                                 {0, kNanF, 0},
+                                 {1, 0, 0},
+                                 {0, kTinyF, 0},
+                                 {kMaxF, 0, 0}}) {
     SmallScene scene({6, 4});
     Draw& draw = scene.object(Topology::surfels, {{0, 0, -2}}, perspective(1.0));
     draw.normals = scene.keep<glm::vec3>({normal});
@@ -356,7 +378,8 @@ TEST(Surfels, WithNormalsOfAnyLengthAreTheSame) {
   };
   const Image plain = picture_with(1.0f);
   EXPECT_FALSE(is_empty(plain));
-  for (const float length : {kTinyF, 1e-38f, 0.5f, 2e30f, kMaxF, -1.0f}) EXPECT_TRUE(same_bytes(plain, picture_with(length))) << length;
+  for (const float length : {kTinyF, 1e-38f, 0.5f, 2e30f, kMaxF, -1.0f})
+    EXPECT_TRUE(same_bytes(plain, picture_with(length))) << length;
 }
 
 // ---- Matrices -----------------------------------------------------------------------------------------------------
@@ -367,7 +390,8 @@ SmallScene through(const glm::dmat4& matrix) {
   for (const Topology topology : kTopologies) {
     Draw& draw = scene.object(topology, std::vector<glm::vec3>(12, glm::vec3(0.1f, 0.2f, -2.0f)), matrix);
     std::vector<glm::vec3> positions;
-    for (int i = 0; i < 12; ++i) positions.push_back({float(i % 3) - 1.0f, float(i % 5) * 0.4f - 0.9f, -1.0f - float(i)});
+    for (int i = 0; i < 12; ++i)
+      positions.push_back({float(i % 3) - 1.0f, float(i % 5) * 0.4f - 0.9f, -1.0f - float(i)});
     std::get<ObjectVertices>(draw.vertices).positions = scene.keep(positions);
     draw.normals = scene.keep(std::vector<glm::vec3>(12, {0, 0.6f, 0.8f}));
     draw.radii = scene.keep(std::vector<float>(12, 0.5f));
@@ -398,8 +422,9 @@ TEST(Matrices, ThatAreNotFiniteDrawNothing) {
 
 TEST(Matrices, OfDegenerateCamerasDrawNothingOrASoundPicture) {
   const double pi = 3.14159265358979323846;
-  for (const glm::dmat4& matrix : {camera(1, 1, 1), camera(0, 100, 1), camera(-1, 100, 1), camera(1, kInf, 1), camera(1, 100, 0),
-                                   camera(1, 100, pi), camera(0, 0, 0), camera(100, 1, 1), glm::dmat4(0.0)}) {
+  for (const glm::dmat4& matrix :
+       {camera(1, 1, 1), camera(0, 100, 1), camera(-1, 100, 1), camera(1, kInf, 1), camera(1, 100, 0),
+        camera(1, 100, pi), camera(0, 0, 0), camera(100, 1, 1), glm::dmat4(0.0)}) {
     SmallScene scene = through(matrix);
     scene.render();
     expect_sound(scene.image, scene.draws.size());

@@ -72,7 +72,8 @@ inline void add_hostile_draw(SmallScene& scene, HashedNumbers& numbers, const Te
     draw = &scene.window(topology, p);
   }
   if (numbers.below(2) == 0) draw->colors = scene.keep(hostile_vectors<glm::vec4>(numbers, n));
-  if (numbers.below(2) == 0 || topology == Topology::surfels) draw->normals = scene.keep(hostile_vectors<glm::vec3>(numbers, n));
+  if (numbers.below(2) == 0 || topology == Topology::surfels)
+    draw->normals = scene.keep(hostile_vectors<glm::vec3>(numbers, n));
   if (numbers.below(2) == 0) draw->uvs = scene.keep(hostile_vectors<glm::vec2>(numbers, n));
   std::vector<float> radii;
   for (std::size_t i = 0; i < n; ++i) radii.push_back(hostile<float>(numbers));
@@ -80,8 +81,11 @@ inline void add_hostile_draw(SmallScene& scene, HashedNumbers& numbers, const Te
   draw->point_size_px = hostile<float>(numbers);
   if (numbers.below(2) == 0) draw->color = hostile_vectors<glm::vec4>(numbers, 1)[0];
   if (numbers.below(2) == 0) draw->texture = texture;
-  draw->sampler = {.filter = Filter(numbers.below(4)), .wrap_u = Wrap(numbers.below(4)), .wrap_v = Wrap(numbers.below(4)),
-                   .max_anisotropy = numbers.between(1, 16), .border = hostile_vectors<glm::vec4>(numbers, 1)[0]};
+  draw->sampler = {.filter = Filter(numbers.below(4)),
+                   .wrap_u = Wrap(numbers.below(4)),
+                   .wrap_v = Wrap(numbers.below(4)),
+                   .max_anisotropy = numbers.between(1, 16),
+                   .border = hostile_vectors<glm::vec4>(numbers, 1)[0]};
   if (numbers.below(3) == 0) draw->shader = lambert_shader({.to_light = {0, 0.6f, 0.8f}});
   draw->cull = Cull(numbers.below(3));
   draw->blend = numbers.below(3) == 0 ? Blend(numbers.below(3)) : Blend::none;
@@ -130,7 +134,8 @@ inline void expect_sound(const Image& image, std::size_t n_draws) {
 
 /// Draws hostile frames; each twice, with other threads and tiles: the same bytes.
 inline void draw_hostile_frames(std::uint64_t n_frames, std::uint64_t seed) {
-  std::vector<glm::vec4> texels = {{1, 0.5f, 0, 1}, {std::numeric_limits<float>::quiet_NaN(), 1, 1, 0.5f}, {1e38f, -1, 0, 1}};
+  std::vector<glm::vec4> texels = {
+      {1, 0.5f, 0, 1}, {std::numeric_limits<float>::quiet_NaN(), 1, 1, 0.5f}, {1e38f, -1, 0, 1}};
   const Texture floats = make_linear_texture({3, 1}, texels, Mips::all);
   const std::vector<glm::u8vec4> bytes(21, glm::u8vec4(200, 100, 50, 150));
   const Texture raw = make_raw_texture({3, 7}, bytes, Mips::all);
@@ -141,7 +146,9 @@ inline void draw_hostile_frames(std::uint64_t n_frames, std::uint64_t seed) {
     const Texture* texture = format == ColorFormat::rgba8 || numbers.below(2) == 0 ? &raw : &floats;
     for (int d = 0; d < 4; ++d) add_hostile_draw(scene, numbers, texture);
     scene.frame.clear = hostile_vectors<glm::vec4>(numbers, 1)[0];
-    if (numbers.below(4) == 0) scene.frame.viewport = Rect{{numbers.between(-65536, 65536), numbers.between(-9, 9)}, {int(numbers.below(65537)), int(numbers.below(40))}};
+    if (numbers.below(4) == 0)
+      scene.frame.viewport = Rect{{numbers.between(-65536, 65536), numbers.between(-9, 9)},
+                                  {int(numbers.below(65537)), int(numbers.below(40))}};
     scene.render({.threads = 1, .tile_size_px = 8});
     expect_sound(scene.image, scene.draws.size());
     const Image first = scene.image;

@@ -83,7 +83,8 @@ TEST(Material, PutsTheTextureUprightWithVZeroAtTheTop) {
   draw.texture = &texture;
   draw.sampler.filter = Filter::nearest;
   scene.render();
-  EXPECT_EQ(picture(scene.image, [&](std::size_t i) { return char('0' + scene.image.rgba8[i].r / 10); }), "1122\n3344\n");
+  EXPECT_EQ(picture(scene.image, [&](std::size_t i) { return char('0' + scene.image.rgba8[i].r / 10); }),
+            "1122\n3344\n");
 }
 
 TEST(FloatTarget, HoldsOneNanAndNoNegativeZeroFromClearDrawAndBlend) {
@@ -134,8 +135,8 @@ TEST(Blending, OnFloatsIsPremultipliedAndUnclamped) {
     draw.blend = blend;
     scene.render();
     // over: s + d·¾; add: s + d. All exact.
-    EXPECT_EQ(scene.image.rgba32f[0], blend == Blend::over ? glm::vec4(11.0f, 0.625f, 0.125f, 1.0f)
-                                                           : glm::vec4(12.0f, 0.75f, 0.125f, 1.25f));
+    EXPECT_EQ(scene.image.rgba32f[0],
+              blend == Blend::over ? glm::vec4(11.0f, 0.625f, 0.125f, 1.0f) : glm::vec4(12.0f, 0.75f, 0.125f, 1.25f));
   }
 }
 
@@ -211,7 +212,8 @@ TEST(Shader, SeesZeroNormalWhiteTexelAndZeroUvWhereTheDrawHasNone) {
 TEST(Shader, SeesWhichSideFacesTheEye) {
   SmallScene scene({2, 1});
   // Counter-clockwise on screen (y down), then clockwise.
-  Draw& draw = scene.window(Topology::triangles, {{0, 0, 0.5}, {0, 1, 0.5}, {1, 0.4, 0.5}, {1, 0, 0.5}, {2, 0.4, 0.5}, {1, 1, 0.5}});
+  Draw& draw = scene.window(Topology::triangles,
+                            {{0, 0, 0.5}, {0, 1, 0.5}, {1, 0.4, 0.5}, {1, 0, 0.5}, {2, 0.4, 0.5}, {1, 1, 0.5}});
   draw.shader = pixel_shader([](const Pixel& p) { return glm::vec4(p.front_facing ? 1.0f : 2.0f); });
   scene.render();
   EXPECT_EQ(picture(scene.image, [&](std::size_t i) { return char('0' + scene.image.rgba8[i].r); }), "12\n");
@@ -229,7 +231,9 @@ TEST(Shader, DecidesTheAlphaTest) {
 TEST(Shader, RunsOnceForEveryVisibleSampleOfOrderFreeDraws) {
   // 100 pixels in a row: two batches of at most kMaxShadeBatch; what is hidden is not shaded.
   SmallScene scene({100, 1});
-  const auto mark = [](float value) { return pixel_shader([value](const Pixel& p) { return glm::vec4(value, float(p.x_px), 0, 0); }); };
+  const auto mark = [](float value) {
+    return pixel_shader([value](const Pixel& p) { return glm::vec4(value, float(p.x_px), 0, 0); });
+  };
   cover(scene, 0.25).shader = mark(1);
   scene.rect({10, 0}, {95, 1}, 0.5, {}).shader = mark(2);
   EXPECT_EQ(scene.render({.threads = 1, .tile_size_px = 128}).fragments_shaded, 100u);

@@ -243,6 +243,12 @@ TEST(AlphaTest, KeepsASampleWhoseAlphaIsExactlyTheThreshold) {
     scene.render();
     EXPECT_EQ(scene.image.ids[0].draw, alpha >= half ? 0u : kNoId) << alpha;
   }
+  for (int code = 0; code < 256; ++code) {  // of every code at its own threshold, as a text file would have it
+    SmallScene scene = one_pixel();
+    cover(scene, 0.5, {9, 9, 9, float(code)}).alpha_test = code / 255.0;
+    scene.render();
+    EXPECT_EQ(scene.image.ids[0].draw, 0u) << code;
+  }
   for (const float alpha : {std::nextafter(0.25f, 0.0f), 0.25f}) {
     SmallScene scene({1, 1}, ColorFormat::rgba32f);
     cover(scene, 0.5, {1, 1, 1, alpha}).alpha_test = 0.25f;
@@ -308,8 +314,18 @@ TEST(Ids, AreTheDrawsOwnUnlessTheyAreOverridden) {
 TEST(Ids, CountPrimitivesAsTheDrawHasThemEvenIfSomeAreNotDrawn) {
   // Quad 0 lies outside, quad 1 has no area, quad 2 covers the pixel.
   SmallScene scene = one_pixel();
-  scene.window(Topology::quads, {{5, 5, 0}, {6, 5, 0}, {6, 6, 0}, {5, 6, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
-                                 {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  scene.window(Topology::quads, {{5, 5, 0},
+                                 {6, 5, 0},
+                                 {6, 6, 0},
+                                 {5, 6, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {0, 0, 0},
+                                 {1, 0, 0},
+                                 {1, 1, 0},
+                                 {0, 1, 0}});
   scene.render();
   EXPECT_EQ(scene.image.ids[0], (Ids{0, 2}));
 }

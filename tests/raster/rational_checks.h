@@ -96,8 +96,10 @@ inline RationalMeasured check_any_numbers(std::uint64_t n_samples, std::uint64_t
         if (got != written_sum(b, a, n)) ++m.other_bits;
         const float last = a[n - 1], low = std::min({a[0], a[1], last}), high = std::max({a[0], a[1], last});
         if (got < low || got > high) ++m.outside_hull;
-        const std::array<double, 3> original = {colors[0][channel], colors[1][channel], line ? 0.0f : colors[2][channel]};
-        m.attribute_ulp = std::max(m.attribute_ulp, error_in(got, exact_mean(e, w, original), ulp_exponent(double(std::max(-low, high)))));
+        const std::array<double, 3> original = {colors[0][channel], colors[1][channel],
+                                                line ? 0.0f : colors[2][channel]};
+        m.attribute_ulp = std::max(
+            m.attribute_ulp, error_in(got, exact_mean(e, w, original), ulp_exponent(double(std::max(-low, high)))));
       }
       if (scene.image.rgba32f[k].a != 1.0f) ++m.constant_moved;
     }
@@ -107,9 +109,9 @@ inline RationalMeasured check_any_numbers(std::uint64_t n_samples, std::uint64_t
 
 // ---- Texture coordinates and derivatives --------------------------------------------------------------------------
 
-/// In units of u = 2^-53 · max|uᵢ|, derivatives of u · Σ|∂qᵢ|/Σqᵢ. A coordinate takes at most 6 roundings on its way: the
-/// quotients, their sum (2), the weights, products, sums (2). In a derivative each of uᵢ − u carries those, one more, and is
-/// at most 2 max|uᵢ|; ∂qᵢ, product, sums, Σqᵢ and quotient add 7 roundings of it.
+/// In units of u = 2^-53 · max|uᵢ|, derivatives of u · Σ|∂qᵢ|/Σqᵢ. A coordinate takes at most 6 roundings on its way:
+/// the quotients, their sum (2), the weights, products, sums (2). In a derivative each of uᵢ − u carries those, one
+/// more, and is at most 2 max|uᵢ|; ∂qᵢ, product, sums, Σqᵢ and quotient add 7 roundings of it.
 struct FootprintMeasured {
   static constexpr double kMostCoordinate = 8.0, kMostDerivative = 24.0;
   std::uint64_t samples = 0;
@@ -130,7 +132,8 @@ inline FootprintMeasured check_footprints(std::uint64_t n_samples, std::uint64_t
   FootprintMeasured m;
   HashedNumbers numbers(seed);
   while (m.samples < n_samples) {
-    const CornerData c = random_corners(numbers, {.topology = Topology::triangles, .perspective = numbers.below(2) == 0});
+    const CornerData c =
+        random_corners(numbers, {.topology = Topology::triangles, .perspective = numbers.below(2) == 0});
     std::array<reference::WindowVertex, 3> corners;
     std::array<glm::vec2, 3> uv_of_corner;
     const float largest = std::ldexp(1.0f, int(numbers.below(30)) - 10);
@@ -149,13 +152,15 @@ inline FootprintMeasured check_footprints(std::uint64_t n_samples, std::uint64_t
     double t[2] = {numbers.unit(), numbers.unit()};
     if (t[0] + t[1] > 1.0) t[0] = 1.0 - t[0], t[1] = 1.0 - t[1];
     const glm::dvec2 a = c.p_fx8[0], ab = glm::dvec2(c.p_fx8[1]) - a, ac = glm::dvec2(c.p_fx8[2]) - a;
-    const glm::ivec2 p = numbers.below(8) == 0 ? c.p_fx8[numbers.below(3)] : glm::ivec2(glm::floor(a + t[0] * ab + t[1] * ac));
+    const glm::ivec2 p =
+        numbers.below(8) == 0 ? c.p_fx8[numbers.below(3)] : glm::ivec2(glm::floor(a + t[0] * ab + t[1] * ac));
     const EdgeValues e = triangle_edges(c.p_fx8, p);
     if (std::min({e[0], e[1], e[2]}) < 0) continue;
     ++m.samples;
 
     const Footprint f = reference::footprint_at(*triangle, uvs, p);
-    const EdgeValues right = triangle_edges(c.p_fx8, p + glm::ivec2(256, 0)), down = triangle_edges(c.p_fx8, p + glm::ivec2(0, 256));
+    const EdgeValues right = triangle_edges(c.p_fx8, p + glm::ivec2(256, 0)),
+                     down = triangle_edges(c.p_fx8, p + glm::ivec2(0, 256));
     for (int axis = 0; axis < 2; ++axis) {
       mpq_class q_sum = 0, qu_sum = 0;
       mpq_class slope[2] = {0, 0}, size[2] = {0, 0};
@@ -168,7 +173,8 @@ inline FootprintMeasured check_footprints(std::uint64_t n_samples, std::uint64_t
       }
       const mpq_class u = qu_sum / q_sum;
       for (std::size_t i = 0; i < 3; ++i) {
-        const mpq_class dq[2] = {rational(right[i] - e[i]) / rational(c.w[i]), rational(down[i] - e[i]) / rational(c.w[i])};
+        const mpq_class dq[2] = {rational(right[i] - e[i]) / rational(c.w[i]),
+                                 rational(down[i] - e[i]) / rational(c.w[i])};
         for (int d = 0; d < 2; ++d) {
           slope[d] += dq[d] * (mpq_class(double(uv_of_corner[i][axis])) - u) / q_sum;
           size[d] += abs(dq[d]) / q_sum;
@@ -178,7 +184,8 @@ inline FootprintMeasured check_footprints(std::uint64_t n_samples, std::uint64_t
       m.coordinate = std::max(m.coordinate, error_in(f.uv[axis], u, 0) / unit);
       const double got[2] = {f.duv_dx[axis], f.duv_dy[axis]};
       for (int d = 0; d < 2; ++d) {
-        if (size[d] != 0) m.derivative = std::max(m.derivative, error_in(got[d], slope[d], 0) / (unit * size[d].get_d()));
+        if (size[d] != 0)
+          m.derivative = std::max(m.derivative, error_in(got[d], slope[d], 0) / (unit * size[d].get_d()));
       }
       const auto [low, high] = std::minmax({uv_of_corner[0][axis], uv_of_corner[1][axis], uv_of_corner[2][axis]});
       if (f.uv[axis] < low || f.uv[axis] > high) ++m.outside_hull;
@@ -199,18 +206,26 @@ inline mpq_class exact_distance(int k, glm::ivec2 size, const std::array<mpq_cla
   const mpq_class half_x = 128 * size.x, half_y = 128 * size.y, guard = 1 << 23;
   const mpq_class x = half_x * p[0] + half_x * p[3], y = half_y * p[3] - half_y * p[1];
   switch (k) {
-    case 0: return p[3] - p[2];
-    case 1: return p[3] - mpq_class(0x1p-149);
-    case 2: return p[2];
-    case 3: return x + guard * p[3];
-    case 4: return guard * p[3] - x;
-    case 5: return y + guard * p[3];
-    default: return guard * p[3] - y;
+    case 0:
+      return p[3] - p[2];
+    case 1:
+      return p[3] - mpq_class(0x1p-149);
+    case 2:
+      return p[2];
+    case 3:
+      return x + guard * p[3];
+    case 4:
+      return guard * p[3] - x;
+    case 5:
+      return y + guard * p[3];
+    default:
+      return guard * p[3] - y;
   }
 }
 
 /// Sutherland & Hodgman without a rounding, from the canonically first corner on.
-inline std::vector<ExactVertex> exact_clip(std::array<glm::dvec4, 3> corners, const std::array<std::size_t, 3>& order, glm::ivec2 size) {
+inline std::vector<ExactVertex> exact_clip(std::array<glm::dvec4, 3> corners, const std::array<std::size_t, 3>& order,
+                                           glm::ivec2 size) {
   std::vector<ExactVertex> polygon;
   for (const std::size_t i : order) {
     ExactVertex& v = polygon.emplace_back();
@@ -236,9 +251,9 @@ inline std::vector<ExactVertex> exact_clip(std::array<glm::dvec4, 3> corners, co
 
 /// Depth against the clipped corners as the rasterizer has them, attributes against corners clipped without a rounding.
 struct ClippedMeasured : Measured {
-  double snap_fx8 = 0.0;         ///< snapped corner − exact corner, in sub-pixels; C1: ½ + 2^-12
+  double snap_fx8 = 0.0;  ///< snapped corner − exact corner, in sub-pixels; C1: ½ + 2^-12
   std::uint64_t triangles = 0;
-  std::uint64_t left_out = 0;    ///< the polygons have other numbers of corners: one lies on a plane but for rounding
+  std::uint64_t left_out = 0;  ///< the polygons have other numbers of corners: one lies on a plane but for rounding
 };
 inline void print(const ClippedMeasured& m) {
   print("clipped triangles", static_cast<const Measured&>(m));
@@ -272,7 +287,8 @@ inline ClippedMeasured check_clipped(std::uint64_t n_samples, std::uint64_t seed
     ++m.triangles;
 
     std::array<std::size_t, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return reference::canonically_before(corners[i], corners[j]); });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t i, std::size_t j) { return reference::canonically_before(corners[i], corners[j]); });
     const std::vector<ExactVertex> exact = exact_clip(corners, order, kSize);
     const reference::Assembly assembly = reference::assemble(scene.frame, kSize, 1);
     const auto& polygon = *std::get<reference::Triangle>(assembly.pieces.at(0).shape).polygon;
@@ -283,7 +299,8 @@ inline ClippedMeasured check_clipped(std::uint64_t n_samples, std::uint64_t seed
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const auto& p = exact[i].p;
       const mpq_class x = 128 * kSize.x * (1 + p[0] / p[3]), y = 128 * kSize.y * (1 - p[1] / p[3]);
-      m.snap_fx8 = std::max({m.snap_fx8, error_in(polygon.vertices[i].p_fx8.x, x, 0), error_in(polygon.vertices[i].p_fx8.y, y, 0)});
+      m.snap_fx8 = std::max(
+          {m.snap_fx8, error_in(polygon.vertices[i].p_fx8.x, x, 0), error_in(polygon.vertices[i].p_fx8.y, y, 0)});
     }
 
     for (std::size_t k = 0; k < scene.image.ids.size(); k += 1 + numbers.below(40)) {
@@ -311,7 +328,8 @@ inline ClippedMeasured check_clipped(std::uint64_t n_samples, std::uint64_t seed
             value += weights[j] * mpq_class(double(colors[j][channel])) / sum;
             largest = std::max(largest, std::abs(double(colors[j][channel])));
           }
-          m.attribute_ulp = std::max(m.attribute_ulp, error_in(scene.image.rgba32f[k][channel], value, ulp_exponent(largest)));
+          m.attribute_ulp =
+              std::max(m.attribute_ulp, error_in(scene.image.rgba32f[k][channel], value, ulp_exponent(largest)));
           const auto [low, high] = std::minmax({colors[0][channel], colors[1][channel], colors[2][channel]});
           const float got = scene.image.rgba32f[k][channel];
           if (got < low || got > high) ++m.outside_hull;

@@ -41,7 +41,8 @@ void expect_refused(SmallScene& scene, const char* message, const RenderOptions&
 TEST(Refusals, OfAnIndexOutOfRangeNameDrawAndIndex) {
   for (const std::uint32_t index : {3u, 7u, 0xFFFFFFFFu}) {
     SmallScene scene = good_scene();
-    scene.window(Topology::triangles, {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}).indices = scene.keep<std::uint32_t>({0, 1, 2, 0, index, 1});
+    scene.window(Topology::triangles, {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}).indices =
+        scene.keep<std::uint32_t>({0, 1, 2, 0, index, 1});
     const std::string message = "draw 1: index 4 is " + std::to_string(index) + ", expected below 3";
     expect_refused(scene, message.c_str());
   }
@@ -72,7 +73,9 @@ TEST(Refusals, OfVertexCountsThatMakeNoWholePrimitives) {
 }
 
 TEST(Refusals, OfAttributesThatAreNotOneAVertex) {
-  const auto three = [](SmallScene& scene) -> Draw& { return scene.object(Topology::triangles, {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}); };
+  const auto three = [](SmallScene& scene) -> Draw& {
+    return scene.object(Topology::triangles, {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}});
+  };
   {
     SmallScene scene = good_scene();
     three(scene).colors = scene.keep(std::vector<glm::vec4>(2));
@@ -131,7 +134,8 @@ TEST(Refusals, OfWindowPositionsBeyondTheGuardBand) {
 
 TEST(Refusals, OfScissorsAndViewportsOfNegativeSize) {
   for (const glm::ivec2 size : {glm::ivec2{-1, 2}, {2, -1}, {kMin, kMin}}) {
-    const std::string of_size = "size " + std::to_string(size.x) + " x " + std::to_string(size.y) + ", expected 0 or more";
+    const std::string of_size =
+        "size " + std::to_string(size.x) + " x " + std::to_string(size.y) + ", expected 0 or more";
     SmallScene draw_scissor = good_scene();
     draw_scissor.rect({0, 0}, {1, 1}, 0.5, kRed).scissor = Rect{{0, 0}, size};
     expect_refused(draw_scissor, ("draw 1: scissor " + of_size).c_str());
@@ -145,12 +149,17 @@ TEST(Refusals, OfScissorsAndViewportsOfNegativeSize) {
 }
 
 TEST(Refusals, OfViewportsTooFarOutOrTooLarge) {
-  for (const Rect& rect : {Rect{{0, 0}, {65537, 1}}, {{0, 65537}, {1, 1}}, {{-65537, 0}, {1, 1}}, {{kMin, 0}, {1, 1}}, {{0, kMin}, {1, 1}},
+  for (const Rect& rect : {Rect{{0, 0}, {65537, 1}},
+                           {{0, 65537}, {1, 1}},
+                           {{-65537, 0}, {1, 1}},
+                           {{kMin, 0}, {1, 1}},
+                           {{0, kMin}, {1, 1}},
                            {{kMax, kMax}, {kMax, kMax}}}) {
     SmallScene scene = good_scene();
     scene.frame.viewport = rect;
-    const std::string message = "viewport: " + std::to_string(rect.size_px.x) + " x " + std::to_string(rect.size_px.y) + " at (" +
-                                std::to_string(rect.origin_px.x) + ", " + std::to_string(rect.origin_px.y) + "), expected at most 65536";
+    const std::string message = "viewport: " + std::to_string(rect.size_px.x) + " x " + std::to_string(rect.size_px.y) +
+                                " at (" + std::to_string(rect.origin_px.x) + ", " + std::to_string(rect.origin_px.y) +
+                                "), expected at most 65536";
     expect_refused(scene, message.c_str());
   }
 }
@@ -202,7 +211,8 @@ TEST(Refusals, OfImagesWhosePlanesDoNotFit) {
   for (const glm::ivec2 size : {glm::ivec2{-1, 2}, {3, 32769}, {kMin, kMax}}) {
     SmallScene scene = good_scene();
     scene.image.size_px = size;
-    const std::string message = "image size " + std::to_string(size.x) + " x " + std::to_string(size.y) + ": expected 0 to 32768 a side";
+    const std::string message =
+        "image size " + std::to_string(size.x) + " x " + std::to_string(size.y) + ": expected 0 to 32768 a side";
     expect_refused(scene, message.c_str());
   }
 }

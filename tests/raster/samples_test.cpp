@@ -44,7 +44,8 @@ TEST(Samples, OfABytePictureAreAveragedExactlyAndRoundedHalfUp) {
       for (int c = 0; c < 4; ++c) {
         int sum = 0;
         for (const Image& picture : alone) sum += picture.rgba8[i][c];
-        ASSERT_EQ(scene.image.rgba8[i][c], (2 * sum + n) / (2 * n)) << n << " samples, pixel " << i << ", channel " << c;
+        ASSERT_EQ(scene.image.rgba8[i][c], (2 * sum + n) / (2 * n))
+            << n << " samples, pixel " << i << ", channel " << c;
       }
     }
   }
@@ -121,7 +122,8 @@ void expect_refused(SmallScene& scene, const std::string& message) {
 
 TEST(Samples, AreRefusedWithADepthOrIdPlaneIfThereAreSeveral) {
   const glm::ivec2 samples[] = {{64, 128}, {192, 128}};
-  for (const Planes planes : {Planes{.color = true, .depth = true, .ids = false}, Planes{.color = true, .depth = false, .ids = true}}) {
+  for (const Planes planes :
+       {Planes{.color = true, .depth = true, .ids = false}, Planes{.color = true, .depth = false, .ids = true}}) {
     SmallScene scene({2, 2}, ColorFormat::rgba8, planes);
     scene.frame.samples_fx8 = samples;
     expect_refused(scene, "image: depth and ids cannot be averaged; use one sample a pixel");

@@ -43,8 +43,8 @@ const Case kCases[] = {
     {{{3, 2}, {kMax, kMax}}, "....\n....\n...A\n"},        // its far corner overflows an int
     {{{kMin, kMin}, {kMax, kMax}}, "....\n....\n....\n"},  // ends at −1
     {{{kMax, kMax}, {kMax, kMax}}, "....\n....\n....\n"},
-    {{{-kMax, 1}, {kMax, 1}}, "....\n....\n....\n"},       // ends at 0
-    {{{1 - kMax, 1}, {kMax, 1}}, "....\nA...\n....\n"},    // ends at 1
+    {{{-kMax, 1}, {kMax, 1}}, "....\n....\n....\n"},     // ends at 0
+    {{{1 - kMax, 1}, {kMax, 1}}, "....\nA...\n....\n"},  // ends at 1
     {{{-1, -1}, {kMax, kMax}}, "AAAA\nAAAA\nAAAA\n"},
 };
 

@@ -43,7 +43,8 @@ class SmallScene {
   Draw& clip(Topology topology, std::vector<glm::dvec4> positions) {
     return add(topology, ClipVertices{keep(std::move(positions))});
   }
-  Draw& object(Topology topology, std::vector<glm::vec3> positions, const glm::dmat4& clip_from_object = glm::dmat4(1.0)) {
+  Draw& object(Topology topology, std::vector<glm::vec3> positions,
+               const glm::dmat4& clip_from_object = glm::dmat4(1.0)) {
     return add(topology, ObjectVertices{keep(std::move(positions)), clip_from_object});
   }
   /// A quad on whole pixels: covers exactly [from, to).
@@ -73,7 +74,8 @@ template <class Letter>
 std::string picture(const Image& image, Letter letter) {
   std::string text;
   for (int y = 0; y < image.size_px.y; ++y) {
-    for (int x = 0; x < image.size_px.x; ++x) text += letter(std::size_t(y) * std::size_t(image.size_px.x) + std::size_t(x));
+    for (int x = 0; x < image.size_px.x; ++x)
+      text += letter(std::size_t(y) * std::size_t(image.size_px.x) + std::size_t(x));
     text += '\n';
   }
   return text;
@@ -81,7 +83,8 @@ std::string picture(const Image& image, Letter letter) {
 
 /// A letter per draw id, A first; '.' where nothing was drawn.
 inline std::string ids_picture(const Image& image) {
-  return picture(image, [&](std::size_t i) { return image.ids[i].draw == kNoId ? '.' : char('A' + image.ids[i].draw); });
+  return picture(image,
+                 [&](std::size_t i) { return image.ids[i].draw == kNoId ? '.' : char('A' + image.ids[i].draw); });
 }
 
 template <class T>
@@ -94,7 +97,6 @@ inline bool same_bytes(const Image& a, const Image& b) {
   return a.size_px == b.size_px && a.format == b.format && same_bytes(a.rgba8, b.rgba8) &&
          same_bytes(a.rgba32f, b.rgba32f) && same_bytes(a.depth, b.depth) && same_bytes(a.ids, b.ids);
 }
-
 
 /// Every counter by name: what a failed comparison should print.
 inline std::string text_of(const FrameStats& stats) {

@@ -55,7 +55,8 @@ TEST(EverythingFrame, UsesEveryKindOfWork) {  // else the tests that use it clai
   add_everything(scene);
   std::vector<DrawStats> per_draw(scene.draws.size());
   const FrameStats stats = scene.render({.threads = 1, .per_draw = per_draw});
-  for (std::size_t d = 0; d < per_draw.size(); ++d) EXPECT_GT(per_draw[d].visible, 0u) << "draw " << d << ", " << per_draw[d].covered << " covered";
+  for (std::size_t d = 0; d < per_draw.size(); ++d)
+    EXPECT_GT(per_draw[d].visible, 0u) << "draw " << d << ", " << per_draw[d].covered << " covered";
   for_each_counter(stats, [](const char* name, std::uint64_t n) { EXPECT_GT(n, 0u) << name; });
 }
 

@@ -30,7 +30,9 @@ bool fails_now() {
 }
 
 void* allocate(std::size_t size, std::size_t alignment) {
-  void* memory = fails_now() ? nullptr : std::aligned_alloc(alignment, (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment);
+  void* memory = fails_now() ? nullptr
+                             : std::aligned_alloc(
+                                   alignment, (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment);
   if (!memory) throw std::bad_alloc();
   ++n_alive;
   return memory;
@@ -46,7 +48,9 @@ void release(void* memory) noexcept {
 // The nothrow forms of the library call these. Not inlined: GCC takes an inlined free of what an operator new returned
 // for a mistake.
 [[gnu::noinline]] void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, std::size_t(alignment)); }
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocate(size, std::size_t(alignment));
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { release(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
@@ -87,7 +91,8 @@ long failures_of(Make make) {
   for (const bool and_all_later : {true, false}) {
     for (long k = 0;; ++k) {
       long leaked = 0;
-      const Outcome outcome = run_with_failure(k, and_all_later, [&] { (void)make(); }, &leaked);
+      const Outcome outcome = run_with_failure(
+          k, and_all_later, [&] { (void)make(); }, &leaked);
       EXPECT_EQ(leaked, 0) << "allocation " << k;
       if (outcome == Outcome::done && !and_all_later) return k;
       if (outcome == Outcome::done) break;
@@ -151,7 +156,8 @@ void expect_renders_whole_or_not_at_all(SmallScene& scene, const RenderOptions& 
     fill(scene.image);
     per_draw.assign(per_draw.size(), {77, 78});
     long leaked = 0;
-    const Outcome outcome = run_with_failure(k, and_all_later, [&] { raster::render(scene.frame, scene.image, with_stats); }, &leaked);
+    const Outcome outcome = run_with_failure(
+        k, and_all_later, [&] { raster::render(scene.frame, scene.image, with_stats); }, &leaked);
     ASSERT_NE(outcome, Outcome::other) << "allocation " << k;
     ASSERT_TRUE(leaked == 0 || options.threads > 1) << "allocation " << k << ": " << leaked;  // TBB keeps some
     if (outcome == Outcome::done) {
