@@ -170,8 +170,9 @@ class DrawAssembler {
                             std::uint32_t first_number) {
     // Canonical corners first, so that neither the cut polygon nor its weights depend on how the corners rotate.
     std::array<std::size_t, 3> order = {0, 1, 2};
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return canonically_before(corners[i], corners[j]); });
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return canonically_before(corners[i], corners[j]) || (!canonically_before(corners[j], corners[i]) && i < j);
+    });
     const bool even = (order[0] + 1) % 3 == order[1];
     const std::array<std::uint32_t, 3> sorted = {vertices[order[0]], vertices[order[1]], vertices[order[2]]};
     const ClipPolygon cut = clip_triangle(viewport_, {corners[order[0]], corners[order[1]], corners[order[2]]});

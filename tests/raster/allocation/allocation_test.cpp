@@ -45,11 +45,18 @@ void release(void* memory) noexcept {
 
 }  // namespace
 
-// The nothrow forms of the library call these. Not inlined: GCC takes an inlined free of what an operator new returned
+// The library's nothrow forms call these, a sanitizer's do not. Not inlined: GCC takes an inlined free of what an operator new returned
 // for a mistake.
 [[gnu::noinline]] void* operator new(std::size_t size) { return allocate(size, alignof(std::max_align_t)); }
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, std::size_t(alignment));
+}
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return allocate(size, alignof(std::max_align_t));
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { release(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { release(memory); }
