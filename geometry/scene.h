@@ -1,0 +1,56 @@
+#pragma once
+/// A scene: meshes, materials and pictures, and the instances that place meshes in the world. The order of the
+/// instances is the order of draw ids: (node, mesh primitive) pairs, depth first in document order.
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/bounds.h"
+#include "geometry/camera.h"
+#include "geometry/material.h"
+#include "geometry/mesh.h"
+
+namespace lode::geometry {
+
+/// A place in the graph of a file, kept for names and for reading; drawing needs only the instances.
+struct Node {
+  std::string name;
+  std::optional<std::uint32_t> parent;  ///< index in Scene::nodes, less than this node's own
+  glm::dmat4 parent_from_node{1.0};
+  glm::dmat4 world_from_node{1.0};
+};
+
+/// One mesh in the world: one draw.
+struct Instance {
+  std::uint32_t mesh = 0;
+  std::uint32_t node = 0;
+  glm::dmat4 world_from_object{1.0};
+};
+
+struct SceneCamera {
+  std::string name;
+  Camera camera;
+};
+
+struct Scene {
+  std::string name;  ///< for messages: the file's path, or the built-in's name with its parameters
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Picture> pictures;
+  std::vector<Node> nodes;  ///< depth first in document order
+  std::vector<Instance> instances;
+  std::vector<SceneCamera> cameras;  ///< in the order of their nodes
+
+  /// Of every indexed vertex of every instance, in the world.
+  [[nodiscard]] Bounds bounds() const;
+};
+
+/// Whether the transform turns counter-clockwise into clockwise (its linear part has a negative determinant), so that
+/// the front of an instance is the other side. glTF 2.0, sec. 3.7.4.
+[[nodiscard]] bool mirrors(const glm::dmat4& transform);
+
+}  // namespace lode::geometry
