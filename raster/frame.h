@@ -11,6 +11,7 @@
 #include <span>
 #include <variant>
 
+#include "raster/clusters.h"
 #include "raster/shader.h"
 #include "raster/texture.h"
 
@@ -57,6 +58,7 @@ struct Draw {
   Topology topology = Topology::triangles;
   Vertices vertices;
   std::optional<std::span<const std::uint32_t>> indices;  ///< absent: vertices in order; empty: nothing is drawn
+  const Clusters* clusters = nullptr;  ///< triangles in object space: made by make_clusters of these positions, indices
 
   // Per vertex; each empty or as long as the positions.
   std::span<const glm::vec4> colors;   ///< in the target's unit

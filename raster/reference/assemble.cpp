@@ -36,23 +36,6 @@ PixelBox bounds_over_samples(const T& shape, const Frame& frame) {
   return {first.begin_px, last.end_px};
 }
 
-/// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise.
-int facing_sign(const std::array<glm::dvec4, 3>& corners) {
-  std::array<const glm::dvec4*, 3> p = {&corners[0], &corners[1], &corners[2]};
-  int parity = 1;
-  const auto sort_pair = [&](std::size_t i, std::size_t j) {
-    if (!canonically_before(*p[j], *p[i])) return;
-    std::swap(p[i], p[j]);
-    parity = -parity;
-  };
-  sort_pair(0, 1);
-  sort_pair(1, 2);
-  sort_pair(0, 1);
-  const glm::dvec4 &a = *p[0], &b = *p[1], &c = *p[2];
-  const double det = (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w)) + a.w * (b.x * c.y - c.x * b.y);
-  return det > 0.0 ? parity : (det < 0.0 ? -parity : 0);
-}
-
 bool culled(Cull cull, int sign) {  // sign: +1 counter-clockwise on screen, 0 neither
   return (cull == Cull::back && sign <= 0) || (cull == Cull::front && sign >= 0);
 }
@@ -64,9 +47,7 @@ class DrawAssembler {
       : frame_(frame), draw_(frame.draws[draw_index]), draw_index_(draw_index), out_(out) {
     target_size_px_ = target_size_px;
     viewport_ = make_viewport(frame.viewport.value_or(Rect{{0, 0}, target_size_px}));
-    limits_ = {{0, 0}, target_size_px};
-    if (frame.scissor) limits_ = intersect(limits_, pixels_of(*frame.scissor));
-    if (draw_.scissor) limits_ = intersect(limits_, pixels_of(*draw_.scissor));
+    limits_ = drawable_pixels(frame, draw_, target_size_px);
     window_ = std::get_if<WindowVertices>(&draw_.vertices);
   }
 
@@ -316,14 +297,42 @@ class DrawAssembler {
 
 }  // namespace
 
+int facing_sign(const std::array<glm::dvec4, 3>& corners) {
+  std::array<const glm::dvec4*, 3> p = {&corners[0], &corners[1], &corners[2]};
+  int parity = 1;
+  const auto sort_pair = [&](std::size_t i, std::size_t j) {
+    if (!canonically_before(*p[j], *p[i])) return;
+    std::swap(p[i], p[j]);
+    parity = -parity;
+  };
+  sort_pair(0, 1);
+  sort_pair(1, 2);
+  sort_pair(0, 1);
+  const glm::dvec4 &a = *p[0], &b = *p[1], &c = *p[2];
+  const double det = (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w)) + a.w * (b.x * c.y - c.x * b.y);
+  return det > 0.0 ? parity : (det < 0.0 ? -parity : 0);
+}
+
+PixelBox drawable_pixels(const Frame& frame, const Draw& draw, glm::ivec2 target_size_px) {
+  PixelBox limits = {{0, 0}, target_size_px};
+  if (frame.scissor) limits = intersect(limits, pixels_of(*frame.scissor));
+  if (draw.scissor) limits = intersect(limits, pixels_of(*draw.scissor));
+  return limits;
+}
+
 Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) {
+  return assemble(frame, target_size_px, {}, n_workers);
+}
+
+Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections, int n_workers) {
   Assembly all;
+  const auto selection = [&](std::size_t draw) { return selections.empty() ? Selection{} : selections[draw]; };
   std::vector<Chunk> chunks;
   for (std::uint32_t d = 0; d < frame.draws.size(); ++d) {
     const Draw& draw = frame.draws[d];
     ++all.stats.draws_in;
     if (!draw.order_free()) ++all.stats.draws_ordered;
-    const std::size_t n = primitive_count(draw);
+    const std::size_t n = selection(d).all ? primitive_count(draw) : selection(d).primitives.size();
     const bool counted = draw.stipple && draw.topology == Topology::line_strip;  // needs all segments before it
     const std::size_t step = counted ? std::max<std::size_t>(n, 1) : kPrimitivesPerChunk;
     for (std::size_t first = 0; first < n; first += step) chunks.push_back({d, first, std::min(n, first + step)});
@@ -331,7 +340,8 @@ Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) 
   std::vector<Assembly> parts(chunks.size());
   parallel_for(chunks.size(), n_workers, [&](std::size_t i, int) {
     DrawAssembler assembler(frame, chunks[i].draw, target_size_px, parts[i]);
-    for (std::size_t k = chunks[i].first; k < chunks[i].end; ++k) assembler.add(k);
+    const Selection wanted = selection(chunks[i].draw);
+    for (std::size_t k = chunks[i].first; k < chunks[i].end; ++k) assembler.add(wanted.all ? k : wanted.primitives[k]);
   });
   std::size_t n_pieces = 0;
   for (const Assembly& part : parts) n_pieces += part.pieces.size();

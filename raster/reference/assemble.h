@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -63,5 +64,21 @@ struct Assembly {
 };
 
 [[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers);
+
+/// Which of a draw's primitives are wanted: all, or those listed.
+struct Selection {
+  bool all = true;
+  std::span<const std::uint32_t> primitives;
+};
+
+/// The same of some primitives only; `selections` has one for each draw.
+[[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections,
+                                int n_workers);
+
+/// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise (C3).
+[[nodiscard]] int facing_sign(const std::array<glm::dvec4, 3>& corners);
+
+/// Pixels of the target that a draw may write.
+[[nodiscard]] PixelBox drawable_pixels(const Frame& frame, const Draw& draw, glm::ivec2 target_size_px);
 
 }  // namespace lode::raster::reference

@@ -1,0 +1,464 @@
+#include "raster/fast/kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/fast/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace lode::raster::fast {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Ints = hn::CappedTag<std::int32_t, 16>;
+using Floats = hn::CappedTag<float, 16>;
+using Doubles = hn::CappedTag<double, 8>;
+using HalfInts = hn::Rebind<std::int32_t, Doubles>;  // as many lanes as Doubles
+using HalfFloats = hn::Rebind<float, Doubles>;
+
+// ---- Boxes ----
+
+Projected Project(const DrawView& v, const glm::vec3& low, const glm::vec3& high) {
+  const Doubles d;
+  const auto* m = v.clip_from_object.data();
+  alignas(64) double px[8], py[8], pz[8], x[8], y[8], z[8], w[8];
+  for (int i = 0; i < 8; ++i) {
+    px[i] = i & 1 ? high.x : low.x;
+    py[i] = i & 2 ? high.y : low.y;
+    pz[i] = i & 4 ? high.z : low.z;
+  }
+  double magnitude[4];
+  const double ax = std::max(std::fabs(double(low.x)), std::fabs(double(high.x)));
+  const double ay = std::max(std::fabs(double(low.y)), std::fabs(double(high.y)));
+  const double az = std::max(std::fabs(double(low.z)), std::fabs(double(high.z)));
+  double* const rows[4] = {x, y, z, w};
+  for (int r = 0; r < 4; ++r) {
+    const double a = m[4 * r], b = m[4 * r + 1], c = m[4 * r + 2], e = m[4 * r + 3];
+    magnitude[r] = (std::fabs(a) * ax + std::fabs(b) * ay) + (std::fabs(c) * az + std::fabs(e));
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+      const auto sum = hn::Add(
+          hn::Add(hn::Add(hn::Mul(hn::Set(d, a), hn::Load(d, px + i)), hn::Mul(hn::Set(d, b), hn::Load(d, py + i))),
+                  hn::Mul(hn::Set(d, c), hn::Load(d, pz + i))),
+          hn::Set(d, e));
+      hn::Store(sum, d, rows[r] + i);
+    }
+  }
+  // Distances to the planes are sums of these; 2^-46 of the magnitudes is more than all their roundings.
+  const double slack_w = 0x1p-46 * magnitude[3];
+  const double slack_z = 0x1p-46 * (magnitude[3] + magnitude[2]);
+  constexpr double kGuard = 1 << 23;
+  Projected p;
+  const auto all = [&](auto f) {
+    double least = f(0), most = least;
+    for (int i = 1; i < 8; ++i) {
+      const double value = f(i);
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    return std::pair(least, most);
+  };
+  const auto near = all([&](int i) { return w[i] - z[i]; });
+  const auto front = all([&](int i) { return w[i]; });
+  const auto far = all([&](int i) { return z[i]; });
+  if (near.second < -slack_z || front.second < -slack_w || far.second < -slack_z) {
+    p.outside = true;
+    return p;
+  }
+  const double slack_x = 0x1p-46 * (v.half_fx8.x * magnitude[0] + (std::fabs(v.centre_fx8.x) + kGuard) * magnitude[3]);
+  const double slack_y = 0x1p-46 * (v.half_fx8.y * magnitude[1] + (std::fabs(v.centre_fx8.y) + kGuard) * magnitude[3]);
+  const auto wx = [&](int i) { return v.half_fx8.x * x[i] + v.centre_fx8.x * w[i]; };
+  const auto wy = [&](int i) { return v.centre_fx8.y * w[i] - v.half_fx8.y * y[i]; };
+  p.clean = near.first > slack_z && front.first > slack_w && front.first > 0x1p-140 && far.first >= slack_z &&
+            all([&](int i) { return wx(i) + kGuard * w[i]; }).first > slack_x &&
+            all([&](int i) { return kGuard * w[i] - wx(i); }).first > slack_x &&
+            all([&](int i) { return wy(i) + kGuard * w[i]; }).first > slack_y &&
+            all([&](int i) { return kGuard * w[i] - wy(i); }).first > slack_y && magnitude[3] < 0x1p120;
+  if (!p.clean) return p;
+  double x0 = 1e30, x1 = -1e30, y0 = 1e30, y1 = -1e30, nearest = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const double inverse = 1.0 / w[i];
+    const double sx = wx(i) * inverse, sy = wy(i) * inverse;
+    x0 = std::min(x0, sx), x1 = std::max(x1, sx);
+    y0 = std::min(y0, sy), y1 = std::max(y1, sy);
+    nearest = std::max(nearest, z[i] * inverse);
+  }
+  // A sub-pixel for the snap, another for rounding; a pixel is covered if its sample (anywhere in it) is.
+  p.begin_x = int(std::floor((x0 - 2.0) / 256.0)), p.end_x = int(std::floor((x1 + 2.0) / 256.0)) + 1;
+  p.begin_y = int(std::floor((y0 - 2.0) / 256.0)), p.end_y = int(std::floor((y1 + 2.0) / 256.0)) + 1;
+  p.nearest = float(std::min(1.0, nearest * (1.0 + 0x1p-20)));
+  return p;
+}
+
+// ---- Vertices ----
+
+void Transform(const DrawView& v, const float* xs, const float* ys, const float* zs, int n, std::int32_t origin_x_fx8,
+               std::int32_t origin_y_fx8, WindowVertices128* out) {
+  const Doubles d;
+  const HalfFloats f;
+  const HalfInts di;
+  const auto* m = v.clip_from_object.data();
+  // The part of the viewport's centre that is a whole number is added after rounding, as in the reference.
+  const auto centre_x = hn::Set(d, v.centre_fx8.x), centre_y = hn::Set(d, v.centre_fx8.y);
+  const auto guard = hn::Set(d, double(1 << 23)), minus_guard = hn::Set(d, -double(1 << 23));
+  for (int i = 0; i < n; i += int(hn::Lanes(d))) {
+    const auto x = hn::PromoteTo(d, hn::LoadU(f, xs + i));
+    const auto y = hn::PromoteTo(d, hn::LoadU(f, ys + i));
+    const auto z = hn::PromoteTo(d, hn::LoadU(f, zs + i));
+    const auto row = [&](int r) HWY_ATTR {
+      return hn::Add(hn::Add(hn::Add(hn::Mul(hn::Set(d, m[4 * r]), x), hn::Mul(hn::Set(d, m[4 * r + 1]), y)),
+                             hn::Mul(hn::Set(d, m[4 * r + 2]), z)),
+                     hn::Set(d, m[4 * r + 3]));
+    };
+    const auto cx = row(0), cy = row(1), cz = row(2), cw = row(3);
+    const auto sx = hn::Add(hn::Round(hn::Mul(hn::Div(cx, cw), hn::Set(d, v.half_fx8.x))), centre_x);
+    const auto sy = hn::Add(hn::Round(hn::Mul(hn::Neg(hn::Div(cy, cw)), hn::Set(d, v.half_fx8.y))), centre_y);
+    const auto clamped_x = hn::Min(hn::Max(sx, minus_guard), guard);
+    const auto clamped_y = hn::Min(hn::Max(sy, minus_guard), guard);
+    const auto depth = hn::Min(hn::Max(hn::Div(cz, cw), hn::Zero(d)), hn::Set(d, 1.0));
+    hn::StoreU(hn::Sub(hn::DemoteTo(di, clamped_x), hn::Set(di, origin_x_fx8)), di, out->x_fx8 + i);
+    hn::StoreU(hn::Sub(hn::DemoteTo(di, clamped_y), hn::Set(di, origin_y_fx8)), di, out->y_fx8 + i);
+    hn::StoreU(hn::Add(depth, hn::Zero(d)), d, out->z + i);
+    hn::StoreU(cw, d, out->w + i);
+  }
+}
+
+// ---- Hierarchical depth ----
+
+float LeastOfBlock(const TileBuffers& tile, int block) {
+  const Floats f;
+  auto least = hn::Load(f, tile.depth + 64 * block);
+  for (std::size_t i = hn::Lanes(f); i < 64; i += hn::Lanes(f))
+    least = hn::Min(least, hn::Load(f, tile.depth + 64 * block + i));
+  return hn::GetLane(hn::MinOfLanes(f, least));
+}
+
+float LeastDepth(TileBuffers& tile, int begin_x, int begin_y, int end_x, int end_y) {
+  float least = 2.0f;
+  for (int by = begin_y >> 3; by <= (end_y - 1) >> 3; ++by) {
+    for (int bx = begin_x >> 3; bx <= (end_x - 1) >> 3; ++bx) {
+      const int block = by * kBlocksPerRow + bx;
+      if (tile.stale[block]) {
+        tile.stale[block] = 0;
+        tile.block_min[block] = LeastOfBlock(tile, block);
+      }
+      least = std::min(least, tile.block_min[block]);
+      if (least < 0.0f) return least;
+    }
+  }
+  return least;
+}
+
+// ---- Triangles ----
+
+/// A triangle ready for its samples: canonical order, edge functions positive inside.
+struct Setup {
+  std::int32_t x[3], y[3];  // canonical
+  double z[3];
+  double area;                // doubled, 1/256² px², positive
+  std::int64_t dx[3], dy[3];  // of edge i
+  std::int64_t bias[3];
+  double z_low, z_high;
+  int begin_x, begin_y, end_x, end_y;
+  std::uint32_t owner;
+};
+
+/// Writes the samples of one vector that are covered and nearer; returns how many.
+template <class M>
+HWY_INLINE int Resolve(const RasterJob& job, TileBuffers& tile, int place, M covered, hn::Vec<HalfFloats> z,
+                       std::uint32_t owner) {
+  const HalfFloats f;
+  const hn::Rebind<std::uint32_t, HalfFloats> u;
+  const auto old = hn::Load(f, tile.depth + place);
+  auto wins = hn::And(covered, hn::Gt(z, old));
+  const auto equal = hn::And(covered, hn::Eq(z, old));
+  if (HWY_UNLIKELY(!hn::AllFalse(f, equal))) {
+    alignas(64) std::uint32_t flags[16];
+    hn::Store(hn::VecFromMask(u, hn::RebindMask(u, equal)), u, flags);
+    for (std::size_t i = 0; i < hn::Lanes(f); ++i) {
+      flags[i] = flags[i] && job.key_before(job.context, owner, tile.owner[std::size_t(place) + i]) ? ~0u : 0u;
+    }
+    wins = hn::Or(wins, hn::RebindMask(f, hn::MaskFromVec(hn::BitCast(f, hn::Load(u, flags)))));
+  }
+  const std::size_t n = hn::CountTrue(f, wins);
+  if (n == 0) return 0;
+  hn::BlendedStore(z, wins, f, tile.depth + place);
+  hn::BlendedStore(hn::Set(u, owner), hn::RebindMask(u, wins), u, tile.owner + place);
+  return int(n);
+}
+
+/// C5: ((E₀·z₀ + E₁·z₁) + E₂·z₂) / area, clamped, rounded once.
+HWY_INLINE hn::Vec<HalfFloats> DepthOf(const Setup& s, hn::Vec<Doubles> e0, hn::Vec<Doubles> e1, hn::Vec<Doubles> e2) {
+  const Doubles d;
+  const HalfFloats f;
+  const auto sum = hn::Add(hn::Add(hn::Mul(e0, hn::Set(d, s.z[0])), hn::Mul(e1, hn::Set(d, s.z[1]))),
+                           hn::Mul(e2, hn::Set(d, s.z[2])));
+  const auto z = hn::Div(sum, hn::Set(d, s.area));
+  return hn::DemoteTo(f, hn::Min(hn::Max(z, hn::Set(d, s.z_low)), hn::Set(d, s.z_high)));
+}
+
+alignas(64) constexpr std::int32_t kLaneX_fx8[16] = {0, 256, 512, 768, 0, 256, 512, 768,
+                                                     0, 256, 512, 768, 0, 256, 512, 768};
+alignas(64) constexpr std::int32_t kLaneY_fx8[16] = {0,   0,   0,   0,   256, 256, 256, 256,
+                                                     512, 512, 512, 512, 768, 768, 768, 768};
+alignas(64) constexpr std::int32_t kLaneX[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr std::int32_t kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+/// Triangles of at most 64 px a side: all edge values of samples near them fit 32 bits.
+int RasterizeSmall(const RasterJob& job, const Setup& s, TileBuffers& tile, RasterCounts& counts) {
+  const Ints di;
+  const Doubles d;
+  const HalfInts hi;
+  const HalfFloats hf;
+  alignas(64) std::int32_t lane[3][16];
+  std::int32_t base[3], step_x[3], step_y[3];
+  const int bx0 = s.begin_x >> 2, by0 = s.begin_y >> 2, bx1 = (s.end_x - 1) >> 2, by1 = (s.end_y - 1) >> 2;
+  const int px = bx0 * 1024 + job.sample_x_fx8, py = by0 * 1024 + job.sample_y_fx8;
+  for (int i = 0; i < 3; ++i) {
+    const auto dx = std::int32_t(s.dx[i]), dy = std::int32_t(s.dy[i]);
+    const int a = (i + 1) % 3;  // any vertex on the edge
+    base[i] = dx * (py - s.y[a]) - dy * (px - s.x[a]);
+    step_x[i] = -dy * 1024;
+    step_y[i] = dx * 1024;
+    for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+      hn::Store(hn::Sub(hn::Mul(hn::Set(di, dx), hn::Load(di, kLaneY_fx8 + l)),
+                        hn::Mul(hn::Set(di, dy), hn::Load(di, kLaneX_fx8 + l))),
+                di, lane[i] + l);
+    }
+  }
+  int n_passed = 0;
+  for (int by = by0; by <= by1; ++by) {
+    for (int bx = bx0; bx <= bx1; ++bx) {
+      ++counts.blocks;
+      const std::int32_t b0 = base[0] + (bx - bx0) * step_x[0] + (by - by0) * step_y[0];
+      const std::int32_t b1 = base[1] + (bx - bx0) * step_x[1] + (by - by0) * step_y[1];
+      const std::int32_t b2 = base[2] + (bx - bx0) * step_x[2] + (by - by0) * step_y[2];
+      const int place = place_in_tile(bx * 4, by * 4);
+      int passed = 0;
+      for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
+        const auto e0 = hn::Add(hn::Set(hi, b0), hn::Load(hi, lane[0] + l));
+        const auto e1 = hn::Add(hn::Set(hi, b1), hn::Load(hi, lane[1] + l));
+        const auto e2 = hn::Add(hn::Set(hi, b2), hn::Load(hi, lane[2] + l));
+        const auto signs = hn::Or(hn::Or(hn::Sub(e0, hn::Set(hi, std::int32_t(s.bias[0]))),
+                                         hn::Sub(e1, hn::Set(hi, std::int32_t(s.bias[1])))),
+                                  hn::Sub(e2, hn::Set(hi, std::int32_t(s.bias[2]))));
+        auto inside = hn::Gt(signs, hn::Set(hi, -1));
+        const auto lx = hn::Load(hi, kLaneX + l), ly = hn::Load(hi, kLaneY + l);
+        inside = hn::And(inside, hn::And(hn::Gt(lx, hn::Set(hi, s.begin_x - bx * 4 - 1)),
+                                         hn::Lt(lx, hn::Set(hi, s.end_x - bx * 4))));
+        inside = hn::And(inside, hn::And(hn::Gt(ly, hn::Set(hi, s.begin_y - by * 4 - 1)),
+                                         hn::Lt(ly, hn::Set(hi, s.end_y - by * 4))));
+        if (hn::AllFalse(hi, inside)) continue;
+        const auto z = DepthOf(s, hn::PromoteTo(d, e0), hn::PromoteTo(d, e1), hn::PromoteTo(d, e2));
+        passed += Resolve(job, tile, place + int(l), hn::RebindMask(hf, inside), z, s.owner);
+      }
+      if (passed) tile.stale[place >> 6] = 1;
+      n_passed += passed;
+    }
+  }
+  return n_passed;
+}
+
+/// Triangles of any size: edge values in double, where they are exact; blocks of 8×8 skipped by edges and by depth.
+int RasterizeLarge(const RasterJob& job, const Setup& s, TileBuffers& tile, RasterCounts& counts) {
+  const Doubles d;
+  const HalfInts hi;
+  const HalfFloats hf;
+  alignas(64) double lane[3][16];
+  double base[3], step_x[3], step_y[3], most[3];
+  const int bx0 = s.begin_x >> 3, by0 = s.begin_y >> 3, bx1 = (s.end_x - 1) >> 3, by1 = (s.end_y - 1) >> 3;
+  const double px = bx0 * 2048 + job.sample_x_fx8, py = by0 * 2048 + job.sample_y_fx8;
+  for (int i = 0; i < 3; ++i) {
+    const double dx = double(s.dx[i]), dy = double(s.dy[i]);
+    const int a = (i + 1) % 3;
+    base[i] = dx * (py - s.y[a]) - dy * (px - s.x[a]);
+    step_x[i] = -dy * 256;
+    step_y[i] = dx * 256;
+    most[i] = 7.0 * (std::max(0.0, step_x[i]) + std::max(0.0, step_y[i]));  // from the block's first sample to its best
+    for (int l = 0; l < 16; ++l) lane[i][l] = step_x[i] * kLaneX[l] + step_y[i] * kLaneY[l];
+  }
+  // The depth's plane over a block is nearest at one of its corner samples: z at the first one, and what it can gain.
+  const double gain = 7.0 *
+                      (std::fabs((step_x[0] * s.z[0] + step_x[1] * s.z[1]) + step_x[2] * s.z[2]) +
+                       std::fabs((step_y[0] * s.z[0] + step_y[1] * s.z[1]) + step_y[2] * s.z[2])) /
+                      s.area;
+  int n_passed = 0;
+  for (int by = by0; by <= by1; ++by) {
+    for (int bx = bx0; bx <= bx1; ++bx) {
+      double b[3];
+      bool misses = false;
+      for (int i = 0; i < 3; ++i) {
+        b[i] = base[i] + step_x[i] * (8.0 * (bx - bx0)) + step_y[i] * (8.0 * (by - by0));
+        misses |= b[i] + most[i] < double(s.bias[i]);
+      }
+      if (misses) continue;
+      ++counts.blocks;
+      const int block = by * kBlocksPerRow + bx;
+      const double first = ((b[0] * s.z[0] + b[1] * s.z[1]) + b[2] * s.z[2]) / s.area;
+      const double nearest = std::min(s.z_high, first + gain + 1e-9 * (std::fabs(first) + gain) + 0x1p-40);
+      if (tile.stale[block]) {
+        tile.stale[block] = 0;
+        tile.block_min[block] = LeastOfBlock(tile, block);
+      }
+      if (nearest * (1.0 + 0x1p-20) < double(tile.block_min[block])) {
+        ++counts.blocks_hidden;
+        continue;
+      }
+      int passed = 0;
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        const int qx = (quarter & 1) * 4, qy = (quarter >> 1) * 4;
+        const double q0 = b[0] + step_x[0] * qx + step_y[0] * qy;
+        const double q1 = b[1] + step_x[1] * qx + step_y[1] * qy;
+        const double q2 = b[2] + step_x[2] * qx + step_y[2] * qy;
+        for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
+          const auto e0 = hn::Add(hn::Set(d, q0), hn::Load(d, lane[0] + l));
+          const auto e1 = hn::Add(hn::Set(d, q1), hn::Load(d, lane[1] + l));
+          const auto e2 = hn::Add(hn::Set(d, q2), hn::Load(d, lane[2] + l));
+          const auto in =
+              hn::And(hn::And(hn::Ge(e0, hn::Set(d, double(s.bias[0]))), hn::Ge(e1, hn::Set(d, double(s.bias[1])))),
+                      hn::Ge(e2, hn::Set(d, double(s.bias[2]))));
+          if (hn::AllFalse(d, in)) continue;
+          // Outside the box of pixels that may be written?
+          const auto lx = hn::Load(hi, kLaneX + l), ly = hn::Load(hi, kLaneY + l);
+          const int x0 = bx * 8 + qx, y0 = by * 8 + qy;
+          const auto in_box =
+              hn::And(hn::And(hn::Gt(lx, hn::Set(hi, s.begin_x - x0 - 1)), hn::Lt(lx, hn::Set(hi, s.end_x - x0))),
+                      hn::And(hn::Gt(ly, hn::Set(hi, s.begin_y - y0 - 1)), hn::Lt(ly, hn::Set(hi, s.end_y - y0))));
+          const auto narrow = hn::DemoteTo(hi, hn::IfThenElseZero(in, hn::Set(d, 1.0)));
+          const auto inside = hn::And(hn::Ne(narrow, hn::Zero(hi)), in_box);
+          if (hn::AllFalse(hi, inside)) continue;
+          passed += Resolve(job, tile, block * 64 + quarter * 16 + int(l), hn::RebindMask(hf, inside),
+                            DepthOf(s, e0, e1, e2), s.owner);
+        }
+      }
+      if (passed) tile.stale[block] = 1;
+      n_passed += passed;
+    }
+  }
+  return n_passed;
+}
+
+bool SetUp(const RasterJob& job, int triangle, Setup* s) {
+  const WindowVertices128& v = *job.vertices;
+  int c[3] = {job.corners[3 * triangle], job.corners[3 * triangle + 1], job.corners[3 * triangle + 2]};
+  bool odd = false;
+  const auto sort_pair = [&](int i, int j) {
+    const int a = c[i], b = c[j];
+    if (v.x_fx8[b] < v.x_fx8[a] || (v.x_fx8[b] == v.x_fx8[a] && v.y_fx8[b] < v.y_fx8[a])) {
+      std::swap(c[i], c[j]);
+      odd = !odd;
+    }
+  };
+  sort_pair(0, 1);
+  sort_pair(1, 2);
+  sort_pair(0, 1);
+  for (int i = 0; i < 3; ++i) {
+    s->x[i] = v.x_fx8[c[i]];
+    s->y[i] = v.y_fx8[c[i]];
+    s->z[i] = v.z[c[i]];
+  }
+  const std::int64_t area =
+      std::int64_t(s->x[1] - s->x[0]) * (s->y[2] - s->y[0]) - std::int64_t(s->y[1] - s->y[0]) * (s->x[2] - s->x[0]);
+  if (area == 0) return false;
+  const std::int64_t sign = area > 0 ? 1 : -1;
+  s->area = double(area * sign);
+  for (int i = 0; i < 3; ++i) {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    s->dx[i] = sign * (s->x[b] - s->x[a]);
+    s->dy[i] = sign * (s->y[b] - s->y[a]);
+    s->bias[i] = s->dy[i] < 0 || (s->dy[i] == 0 && s->dx[i] > 0) ? 0 : 1;
+  }
+  s->z_low = std::min({s->z[0], s->z[1], s->z[2]});
+  s->z_high = std::max({s->z[0], s->z[1], s->z[2]});
+  return true;
+}
+
+bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
+  const WindowVertices128& v = *job.vertices;
+  bool any = false;
+  counts.triangles_in += std::uint64_t(job.n_triangles);
+  for (int t = 0; t < job.n_triangles; ++t) {
+    const int a = job.corners[3 * t], b = job.corners[3 * t + 1], c = job.corners[3 * t + 2];
+    const int x0 = std::min({v.x_fx8[a], v.x_fx8[b], v.x_fx8[c]}), x1 = std::max({v.x_fx8[a], v.x_fx8[b], v.x_fx8[c]});
+    const int y0 = std::min({v.y_fx8[a], v.y_fx8[b], v.y_fx8[c]}), y1 = std::max({v.y_fx8[a], v.y_fx8[b], v.y_fx8[c]});
+    Setup s;
+    s.begin_x = std::max(job.begin_x, (x0 - job.sample_x_fx8 + 255) >> 8);
+    s.end_x = std::min(job.end_x, ((x1 - job.sample_x_fx8) >> 8) + 1);
+    s.begin_y = std::max(job.begin_y, (y0 - job.sample_y_fx8 + 255) >> 8);
+    s.end_y = std::min(job.end_y, ((y1 - job.sample_y_fx8) >> 8) + 1);
+    if (s.begin_x >= s.end_x || s.begin_y >= s.end_y) {
+      ++counts.no_sample;
+      continue;
+    }
+    if (job.cull != Cull::none) {
+      const double area = double(v.x_fx8[b] - v.x_fx8[a]) * double(v.y_fx8[c] - v.y_fx8[a]) -
+                          double(v.y_fx8[b] - v.y_fx8[a]) * double(v.x_fx8[c] - v.x_fx8[a]);
+      // Counter-clockwise as seen has a negative area with y down. Snapping moves each difference by less than 1.
+      const double wanted = job.cull == Cull::back ? -area : area;
+      const double doubt = 2.0 * (double(x1 - x0) + double(y1 - y0)) + 4.0;
+      if (wanted <= 0.0 || (wanted <= doubt &&
+                            job.facing_sign(job.context, std::uint32_t(t)) * (job.cull == Cull::back ? 1 : -1) <= 0)) {
+        ++counts.facing;
+        continue;
+      }
+    }
+    if (!SetUp(job, t, &s)) {
+      ++counts.empty;
+      continue;
+    }
+    ++counts.rasterized;
+    s.owner = job.first_owner + std::uint32_t(t);
+    const bool small = x1 - x0 <= 64 * 256 && y1 - y0 <= 64 * 256;
+    const int passed = small ? RasterizeSmall(job, s, tile, counts) : RasterizeLarge(job, s, tile, counts);
+    counts.fragments_passed += std::uint64_t(passed);
+    any |= passed > 0;
+  }
+  return any;
+}
+
+extern const Kernels kKernels;
+const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Project, Transform, Rasterize, LeastDepth};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace lode::raster::fast
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lode::raster::fast {
+namespace {
+
+struct Entry {
+  std::int64_t target;
+  const char* name;
+  const Kernels* kernels;
+};
+
+const Entry kEntries[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {HWY_AVX3, "avx512", &N_AVX3::kKernels},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {HWY_AVX2, "avx2", &N_AVX2::kKernels},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {HWY_SSE4, "sse4", &N_SSE4::kKernels},
+#endif
+};
+
+}  // namespace
+
+const Kernels* find_kernels(const char* name) {
+  for (const Entry& entry : kEntries) {
+    if ((hwy::SupportedTargets() & entry.target) == 0) continue;
+    if (std::strcmp(name, "best") == 0 || std::strcmp(name, entry.name) == 0) return entry.kernels;
+  }
+  return nullptr;
+}
+
+}  // namespace lode::raster::fast
+#endif

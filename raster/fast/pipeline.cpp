@@ -1,0 +1,530 @@
+#include "raster/fast/pipeline.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "raster/blend.h"
+#include "raster/fast/kernels.h"
+#include "raster/parallel.h"
+#include "raster/reference/assemble.h"
+#include "raster/reference/shade.h"
+
+namespace lode::raster::fast {
+namespace {
+
+using reference::Assembly;
+using reference::Piece;
+using reference::PixelBox;
+
+constexpr std::uint32_t kPieceBit = 0x80000000u;
+constexpr std::uint32_t kTrianglesPerResident = 128;
+
+/// A draw that the kernels draw.
+struct FastDraw {
+  std::uint32_t draw = 0;
+  const Clusters* clusters = nullptr;
+  DrawView view;
+  PixelBox limits;
+  Projected root;
+  std::vector<std::uint32_t> unclean;  ///< triangles of clusters that may need clipping
+};
+
+bool is_fast(const Draw& draw) {
+  return draw.topology == Topology::triangles && draw.order_free() && !draw.alpha_test &&
+         std::holds_alternative<ObjectVertices>(draw.vertices) && !draw.stipple;
+}
+
+DrawView make_view(const Frame& frame, const Draw& draw, glm::ivec2 target_size_px) {
+  DrawView view;
+  const glm::dmat4& m = std::get<ObjectVertices>(draw.vertices).clip_from_object;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) view.clip_from_object[std::size_t(4 * row + column)] = m[column][row];
+  }
+  const reference::Viewport viewport = reference::make_viewport(frame.viewport.value_or(Rect{{0, 0}, target_size_px}));
+  view.centre_fx8 = viewport.centre_fx8;
+  view.half_fx8 = viewport.half_fx8;
+  view.cull = draw.cull;
+  return view;
+}
+
+struct Scene {
+  const Frame& frame;
+  std::vector<FastDraw> fast;
+  std::vector<Clusters> made;  ///< for draws that brought none
+  Assembly assembly;
+  std::vector<std::size_t> row_first;
+  std::vector<std::uint32_t> row_pieces;
+  const Kernels* kernels;
+};
+
+/// A node or cluster waiting for its turn: the nearest first, then by draw and node.
+struct Waiting {
+  float nearest;
+  std::uint32_t fast_draw;
+  std::uint32_t node;
+  friend bool operator<(const Waiting& a, const Waiting& b) {
+    if (a.nearest != b.nearest) return a.nearest < b.nearest;
+    if (a.fast_draw != b.fast_draw) return a.fast_draw > b.fast_draw;
+    return a.node > b.node;
+  }
+};
+
+/// A cluster with samples in the tile.
+struct Resident {
+  std::uint32_t fast_draw;
+  std::uint32_t cluster;
+};
+
+struct Worker {
+  TileBuffers tile;
+  std::vector<Waiting> heap;
+  std::vector<Resident> residents;
+  std::vector<std::unique_ptr<WindowVertices128>> vertices;  ///< [residents + 1], reused
+  std::vector<Ids> ids;
+  std::vector<glm::u8vec4> rgba8;
+  std::vector<glm::vec4> rgba32f;
+  FrameStats stats;
+  RasterCounts counts;
+  std::uint64_t nodes_tested = 0, nodes_outside = 0, nodes_hidden = 0, clusters_drawn = 0, clusters_facing = 0;
+};
+
+class TileDrawer {
+ public:
+  TileDrawer(const Scene& scene, Worker& worker, Image& image, PixelBox box, std::size_t row)
+      : scene_(scene), w_(worker), image_(image), box_(box), row_(row), format_(image.format) {
+    size_ = box.end_px - box.begin_px;
+    has_color_ = !image.rgba8.empty() || !image.rgba32f.empty();
+  }
+
+  void draw() {
+    sample_fx8_ = scene_.frame.samples_fx8[0];
+    clear();
+    for (const std::uint32_t i : pieces()) {
+      if (touches(i) && draw_of(i).order_free()) draw_order_free(i);
+    }
+    draw_clusters();
+    resolve();
+    for (const std::uint32_t i : pieces()) {
+      if (touches(i) && !draw_of(i).order_free()) draw_ordered(i);
+    }
+    write();
+  }
+
+ private:
+  [[nodiscard]] std::span<const std::uint32_t> pieces() const {
+    return {scene_.row_pieces.data() + scene_.row_first[row_], scene_.row_first[row_ + 1] - scene_.row_first[row_]};
+  }
+  [[nodiscard]] const Piece& piece(std::uint32_t i) const { return scene_.assembly.pieces[i]; }
+  [[nodiscard]] const Draw& draw_of(std::uint32_t i) const { return scene_.frame.draws[piece(i).draw]; }
+  [[nodiscard]] bool touches(std::uint32_t i) const { return !intersect(piece(i).bounds_px, box_).empty(); }
+  [[nodiscard]] std::size_t place_of(glm::ivec2 px) const {
+    return std::size_t(place_in_tile(px.x - box_.begin_px.x, px.y - box_.begin_px.y));
+  }
+
+  void clear() {
+    std::fill_n(w_.tile.depth, kTilePixels, -1.0f);
+    std::fill_n(w_.tile.owner, kTilePixels, kNoOwner);
+    std::fill_n(w_.tile.block_min, kBlocksPerRow * kBlocksPerRow, -1.0f);
+    std::fill_n(w_.tile.stale, kBlocksPerRow * kBlocksPerRow, std::uint8_t(0));
+    // Places outside the picture must not keep a block from being covered.
+    if (size_.x < kTile_px || size_.y < kTile_px) {
+      for (int y = 0; y < kTile_px; ++y) {
+        for (int x = y < size_.y ? size_.x : 0; x < kTile_px; ++x) w_.tile.depth[place_in_tile(x, y)] = 2.0f;
+      }
+    }
+    w_.residents.clear();
+  }
+
+  // ---- Keys ----
+
+  struct Key {
+    std::uint32_t draw_id, primitive_id, number, draw;
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  [[nodiscard]] Key key_of(std::uint32_t owner) const {
+    if (owner & kPieceBit) {
+      const Piece& p = piece(owner & ~kPieceBit);
+      return {p.ids.draw, p.ids.primitive, p.number, p.draw};
+    }
+    const auto [fast, primitive] = triangle_of(owner);
+    const Draw& draw = scene_.frame.draws[fast->draw];
+    return {draw.draw_id.value_or(fast->draw), draw.primitive_id.value_or(primitive), 0, fast->draw};
+  }
+  struct TriangleRef {
+    const FastDraw* fast;
+    std::uint32_t primitive;
+  };
+  [[nodiscard]] TriangleRef triangle_of(std::uint32_t owner) const {
+    const Resident& r = w_.residents[owner / kTrianglesPerResident];
+    const FastDraw& fast = scene_.fast[r.fast_draw];
+    const Cluster& cluster = fast.clusters->clusters[r.cluster];
+    return {&fast, fast.clusters->primitives[cluster.first_triangle + owner % kTrianglesPerResident]};
+  }
+  static bool key_before(const void* self, std::uint32_t a, std::uint32_t b) {
+    const auto* drawer = static_cast<const TileDrawer*>(self);
+    return b == kNoOwner || drawer->key_of(a) < drawer->key_of(b);
+  }
+  static int facing_sign(const void* self, std::uint32_t triangle) {
+    const auto* drawer = static_cast<const TileDrawer*>(self);
+    const Resident& r = drawer->w_.residents.back();
+    const FastDraw& fast = drawer->scene_.fast[r.fast_draw];
+    const Cluster& cluster = fast.clusters->clusters[r.cluster];
+    const Draw& draw = drawer->scene_.frame.draws[fast.draw];
+    std::array<glm::dvec4, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint8_t local = fast.clusters->corners[3 * (cluster.first_triangle + triangle) + k];
+      corners[k] = reference::clip_position(draw.vertices, fast.clusters->vertices[cluster.first_vertex + local]);
+    }
+    return reference::facing_sign(corners);
+  }
+
+  // ---- Clusters, front to back ----
+
+  void draw_clusters() {
+    w_.heap.clear();
+    for (std::uint32_t f = 0; f < scene_.fast.size(); ++f) {
+      const FastDraw& fast = scene_.fast[f];
+      if (fast.root.outside || fast.clusters->nodes.empty()) continue;
+      add(f, 0, fast.root);
+    }
+    while (!w_.heap.empty()) {
+      std::pop_heap(w_.heap.begin(), w_.heap.end());
+      const Waiting next = w_.heap.back();
+      w_.heap.pop_back();
+      visit(next);
+    }
+  }
+
+  /// Puts a node where it waits for its turn, unless the tile has nothing of it.
+  void add(std::uint32_t f, std::uint32_t node, const Projected& p) {
+    if (p.outside) {
+      ++w_.nodes_outside;
+      return;
+    }
+    float nearest = 2.0f;
+    if (p.clean) {
+      if (rect_in_tile(scene_.fast[f], p).empty()) {
+        ++w_.nodes_outside;
+        return;
+      }
+      nearest = p.nearest;
+    }
+    w_.heap.push_back({nearest, f, node});
+    std::push_heap(w_.heap.begin(), w_.heap.end());
+  }
+
+  [[nodiscard]] PixelBox rect_in_tile(const FastDraw& fast, const Projected& p) const {
+    const PixelBox rect = {{p.begin_x, p.begin_y}, {p.end_x, p.end_y}};
+    return intersect(intersect(rect, fast.limits), box_);
+  }
+
+  void visit(const Waiting& next) {
+    const FastDraw& fast = scene_.fast[next.fast_draw];
+    const ClusterNode& node = fast.clusters->nodes[next.node];
+    const Projected p = scene_.kernels->project(fast.view, node.low, node.high);
+    ++w_.nodes_tested;
+    if (!p.clean) {
+      if (node.leaf) return;  // its triangles are pieces
+      for (std::uint32_t c = 0; c < 2; ++c) add_child(next.fast_draw, node.first + c);
+      return;
+    }
+    const PixelBox rect = rect_in_tile(fast, p);
+    const glm::ivec2 begin = rect.begin_px - box_.begin_px, end = rect.end_px - box_.begin_px;
+    if (p.nearest < scene_.kernels->least_depth(w_.tile, begin.x, begin.y, end.x, end.y)) {
+      ++w_.nodes_hidden;
+      return;
+    }
+    if (!node.leaf) {
+      for (std::uint32_t c = 0; c < 2; ++c) add_child(next.fast_draw, node.first + c);
+      return;
+    }
+    draw_cluster(next.fast_draw, node.first, begin, end);
+  }
+
+  void add_child(std::uint32_t f, std::uint32_t child) {
+    const FastDraw& fast = scene_.fast[f];
+    const ClusterNode& node = fast.clusters->nodes[child];
+    add(f, child, scene_.kernels->project(fast.view, node.low, node.high));
+  }
+
+  void draw_cluster(std::uint32_t f, std::uint32_t c, glm::ivec2 begin, glm::ivec2 end) {
+    const FastDraw& fast = scene_.fast[f];
+    const Clusters& all = *fast.clusters;
+    const Cluster& cluster = all.clusters[c];
+    ++w_.clusters_drawn;
+    const std::size_t slot = w_.residents.size();
+    if (w_.vertices.size() <= slot) w_.vertices.push_back(std::make_unique<WindowVertices128>());
+    WindowVertices128& vertices = *w_.vertices[slot];
+    scene_.kernels->transform(fast.view, all.x.data() + cluster.first_vertex, all.y.data() + cluster.first_vertex,
+                              all.z.data() + cluster.first_vertex, cluster.n_vertices, box_.begin_px.x * 256,
+                              box_.begin_px.y * 256, &vertices);
+    w_.residents.push_back({f, c});
+    RasterJob job;
+    job.corners = all.corners.data() + 3 * std::size_t(cluster.first_triangle);
+    job.n_triangles = cluster.n_triangles;
+    job.vertices = &vertices;
+    job.cull = fast.view.cull;
+    job.begin_x = begin.x, job.begin_y = begin.y, job.end_x = end.x, job.end_y = end.y;
+    job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
+    job.first_owner = std::uint32_t(slot) * kTrianglesPerResident;
+    job.context = this;
+    job.key_before = key_before;
+    job.facing_sign = facing_sign;
+    if (!scene_.kernels->rasterize(job, w_.tile, w_.counts)) w_.residents.pop_back();
+  }
+
+  // ---- Pieces, as the reference draws them ----
+
+  template <class Visit>
+  void for_each_fragment(const Piece& p, const Draw& draw, Visit visit) {
+    const PixelBox window = intersect(p.bounds_px, box_);
+    const auto fragment = [&](glm::ivec2 px) {
+      ++w_.stats.fragments_covered;
+      const float depth = reference::depth_of(p, reference::sample_position_fx8(px, sample_fx8_));
+      glm::vec4 rgba;
+      if (draw.alpha_test) {
+        reference::shade(draw, p, format_, {{&px, 1}, {&depth, 1}, sample_fx8_}, &rgba, w_.stats);
+        const double full = format_ == ColorFormat::rgba8 ? 255.0 : 1.0;
+        if (!(double(rgba.a) / full >= *draw.alpha_test)) {
+          ++w_.stats.fragments_alpha_failed;
+          return;
+        }
+      }
+      visit(place_of(px), px, depth, rgba);
+    };
+    reference::visit_shape(p.shape, [&](const auto& shape) { for_each_covered(shape, window, sample_fx8_, fragment); });
+  }
+
+  void draw_order_free(std::uint32_t index) {
+    const Piece& p = piece(index);
+    const std::uint32_t owner = index | kPieceBit;
+    for_each_fragment(p, draw_of(index), [&](std::size_t i, glm::ivec2, float depth, const glm::vec4&) {
+      const bool wins =
+          depth > w_.tile.depth[i] || (depth == w_.tile.depth[i] && key_before(this, owner, w_.tile.owner[i]));
+      if (!wins) {
+        ++w_.stats.fragments_depth_failed;
+        return;
+      }
+      w_.tile.depth[i] = depth;
+      w_.tile.owner[i] = owner;
+      w_.tile.stale[i / 64] = 1;
+    });
+  }
+
+  void draw_ordered(std::uint32_t index) {
+    const Piece& p = piece(index);
+    const Draw& draw = draw_of(index);
+    for_each_fragment(p, draw, [&](std::size_t i, glm::ivec2 px, float depth, glm::vec4& rgba) {
+      if (draw.depth_test && w_.tile.owner[i] != kNoOwner && !(depth > w_.tile.depth[i])) {
+        ++w_.stats.fragments_depth_failed;
+        return;
+      }
+      if (has_color_) {
+        if (!draw.alpha_test) reference::shade(draw, p, format_, {{&px, 1}, {&depth, 1}, sample_fx8_}, &rgba, w_.stats);
+        store(i, rgba, draw.blend);
+        if (draw.blend != Blend::none) ++w_.stats.fragments_blended;
+      }
+      if (draw.writes_depth()) {
+        w_.tile.depth[i] = depth;
+        w_.tile.owner[i] = index | kPieceBit;
+        w_.ids[i] = p.ids;
+      }
+    });
+  }
+
+  void store(std::size_t i, const glm::vec4& rgba, Blend blend) {
+    if (format_ == ColorFormat::rgba8) {
+      w_.rgba8[i] = blend_rgba8(blend, store_rgba8(rgba), w_.rgba8[i]);
+    } else {
+      w_.rgba32f[i] = blend_rgba32f(blend, rgba, w_.rgba32f[i]);
+    }
+  }
+
+  // ---- Shading, once a sample ----
+
+  void resolve() {
+    std::array<glm::ivec2, kMaxShadeBatch> pixels;
+    std::array<glm::vec4, kMaxShadeBatch> rgba;
+    std::array<float, kMaxShadeBatch> depths;
+    std::array<std::size_t, kMaxShadeBatch> places;
+    const glm::u8vec4 clear8 = store_rgba8(scene_.frame.clear);
+    const glm::vec4 clear32 = store_rgba32f(scene_.frame.clear);
+    for (int by = 0; by < size_.y; by += 8) {
+      for (int bx = 0; bx < size_.x; bx += 8) {
+        const std::size_t base = std::size_t(place_in_tile(bx, by));
+        std::uint64_t done = 0;
+        for (std::size_t k = 0; k < 64; ++k) {
+          if (done >> k & 1) continue;
+          const std::uint32_t owner = w_.tile.owner[base + k];
+          std::size_t n = 0;
+          for (std::size_t j = k; j < 64; ++j) {
+            if (w_.tile.owner[base + j] != owner) continue;
+            done |= std::uint64_t(1) << j;
+            const int x = bx + int((j >> 4 & 1) * 4 + (j & 3)), y = by + int((j >> 5) * 4 + (j >> 2 & 3));
+            if (x >= size_.x || y >= size_.y) continue;
+            places[n] = base + j;
+            depths[n] = w_.tile.depth[base + j];
+            pixels[n++] = box_.begin_px + glm::ivec2(x, y);
+          }
+          if (owner == kNoOwner) {
+            for (std::size_t i = 0; i < n; ++i) {
+              w_.ids[places[i]] = {kNoId, kNoId};
+              if (format_ == ColorFormat::rgba8) {
+                w_.rgba8[places[i]] = clear8;
+              } else {
+                w_.rgba32f[places[i]] = clear32;
+              }
+            }
+            continue;
+          }
+          if (n == 0) continue;
+          const Piece* p;
+          Piece made;
+          if (owner & kPieceBit) {
+            p = &piece(owner & ~kPieceBit);
+          } else {
+            make_piece(owner, made);
+            p = &made;
+          }
+          for (std::size_t i = 0; i < n; ++i) w_.ids[places[i]] = p->ids;
+          if (!has_color_) continue;
+          reference::shade(scene_.frame.draws[p->draw], *p, format_,
+                           {{pixels.data(), n}, {depths.data(), n}, sample_fx8_}, rgba.data(), w_.stats);
+          for (std::size_t i = 0; i < n; ++i) store(places[i], rgba[i], Blend::none);
+        }
+      }
+    }
+  }
+
+  /// A kernel's triangle as the reference has it.
+  void make_piece(std::uint32_t owner, Piece& p) const {
+    const Resident& r = w_.residents[owner / kTrianglesPerResident];
+    const FastDraw& fast = scene_.fast[r.fast_draw];
+    const Clusters& all = *fast.clusters;
+    const Cluster& cluster = all.clusters[r.cluster];
+    const std::size_t t = cluster.first_triangle + owner % kTrianglesPerResident;
+    const WindowVertices128& v = *w_.vertices[owner / kTrianglesPerResident];
+    std::array<reference::WindowVertex, 3> corners;
+    std::array<std::uint32_t, 3> vertices;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint8_t local = all.corners[3 * t + k];
+      corners[k] = {
+          {v.x_fx8[local] + box_.begin_px.x * 256, v.y_fx8[local] + box_.begin_px.y * 256}, v.z[local], v.w[local]};
+      vertices[k] = all.vertices[cluster.first_vertex + local];
+    }
+    std::array<int, 3> order;
+    const auto triangle = reference::make_triangle(corners, order);
+    const Draw& draw = scene_.frame.draws[fast.draw];
+    p.shape = *triangle;
+    p.draw = fast.draw;
+    p.ids = {draw.draw_id.value_or(fast.draw), draw.primitive_id.value_or(all.primitives[t])};
+    for (std::size_t k = 0; k < 3; ++k) p.vertices[k] = vertices[std::size_t(order[k])];
+    p.n_vertices = 3;
+    p.front_facing = reference::doubled_area_fx16(corners[0].p_fx8, corners[1].p_fx8, corners[2].p_fx8) < 0;
+  }
+
+  void write() {
+    for (int y = 0; y < size_.y; ++y) {
+      std::size_t to = std::size_t(box_.begin_px.y + y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+      for (int x = 0; x < size_.x; ++x, ++to) {
+        const auto from = std::size_t(place_in_tile(x, y));
+        if (!image_.rgba8.empty()) image_.rgba8[to] = w_.rgba8[from];
+        if (!image_.rgba32f.empty()) image_.rgba32f[to] = w_.rgba32f[from];
+        if (!image_.depth.empty()) image_.depth[to] = w_.tile.owner[from] == kNoOwner ? 0.0f : w_.tile.depth[from];
+        if (!image_.ids.empty()) image_.ids[to] = w_.ids[from];
+      }
+    }
+  }
+
+  const Scene& scene_;
+  Worker& w_;
+  Image& image_;
+  PixelBox box_;
+  std::size_t row_;
+  ColorFormat format_;
+  glm::ivec2 size_{0, 0};
+  glm::ivec2 sample_fx8_{128, 128};
+  bool has_color_ = false;
+};
+
+/// Triangles of clusters that may have to be clipped.
+void collect_unclean(const Kernels& kernels, FastDraw& fast, std::uint32_t node_index) {
+  const ClusterNode& node = fast.clusters->nodes[node_index];
+  const Projected p = kernels.project(fast.view, node.low, node.high);
+  if (p.outside || p.clean) return;
+  if (!node.leaf) {
+    collect_unclean(kernels, fast, node.first);
+    collect_unclean(kernels, fast, node.first + 1);
+    return;
+  }
+  const Cluster& cluster = fast.clusters->clusters[node.first];
+  const auto first = fast.clusters->primitives.begin() + cluster.first_triangle;
+  fast.unclean.insert(fast.unclean.end(), first, first + cluster.n_triangles);
+}
+
+}  // namespace
+
+FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& options) {
+  const glm::ivec2 size = image.size_px;
+  const std::size_t n_columns = std::size_t((size.x + kTile_px - 1) / kTile_px);
+  const std::size_t n_rows = std::size_t((size.y + kTile_px - 1) / kTile_px);
+  const int threads = worker_count(options.threads);
+
+  Scene scene{frame, {}, {}, {}, {}, {}, find_kernels("best")};
+  std::vector<reference::Selection> selections(frame.draws.size());
+  scene.made.reserve(frame.draws.size());
+  for (std::uint32_t d = 0; d < frame.draws.size(); ++d) {
+    const Draw& draw = frame.draws[d];
+    if (!is_fast(draw)) continue;
+    FastDraw fast;
+    fast.draw = d;
+    fast.clusters = draw.clusters;
+    if (!fast.clusters) {
+      scene.made.push_back(make_clusters(std::get<ObjectVertices>(draw.vertices).positions, draw.indices, threads));
+      fast.clusters = &scene.made.back();
+    }
+    fast.view = make_view(frame, draw, size);
+    fast.limits = reference::drawable_pixels(frame, draw, size);
+    if (!fast.clusters->nodes.empty()) {
+      const ClusterNode& root = fast.clusters->nodes[0];
+      fast.root = scene.kernels->project(fast.view, root.low, root.high);
+      collect_unclean(*scene.kernels, fast, 0);
+    }
+    scene.fast.push_back(std::move(fast));
+  }
+  for (FastDraw& fast : scene.fast) selections[fast.draw] = {false, fast.unclean};
+  scene.assembly = reference::assemble(frame, size, selections, threads);
+  scene.row_first.assign(n_rows + 1, 0);
+  const auto rows_of = [&](const Piece& p, auto visit) {
+    for (int r = p.bounds_px.begin_px.y / kTile_px; r <= (p.bounds_px.end_px.y - 1) / kTile_px; ++r)
+      visit(std::size_t(r));
+  };
+  for (const Piece& p : scene.assembly.pieces) rows_of(p, [&](std::size_t r) { ++scene.row_first[r + 1]; });
+  for (std::size_t r = 0; r < n_rows; ++r) scene.row_first[r + 1] += scene.row_first[r];
+  scene.row_pieces.resize(scene.row_first[n_rows]);
+  std::vector<std::size_t> next(scene.row_first.begin(), scene.row_first.end() - 1);
+  for (std::size_t i = 0; i < scene.assembly.pieces.size(); ++i) {
+    rows_of(scene.assembly.pieces[i], [&](std::size_t r) { scene.row_pieces[next[r]++] = std::uint32_t(i); });
+  }
+
+  std::vector<std::unique_ptr<Worker>> workers;
+  for (int w = 0; w < threads; ++w) {
+    workers.push_back(std::make_unique<Worker>());
+    workers.back()->ids.resize(kTilePixels);
+    if (image.format == ColorFormat::rgba8) workers.back()->rgba8.resize(kTilePixels);
+    if (image.format == ColorFormat::rgba32f) workers.back()->rgba32f.resize(kTilePixels);
+  }
+  parallel_for(n_columns * n_rows, threads, [&](std::size_t t, int worker) {
+    const glm::ivec2 begin = {int(t % n_columns) * kTile_px, int(t / n_columns) * kTile_px};
+    const PixelBox box = {begin, {std::min(begin.x + kTile_px, size.x), std::min(begin.y + kTile_px, size.y)}};
+    TileDrawer(scene, *workers[std::size_t(worker)], image, box, t / n_columns).draw();
+  });
+  FrameStats stats = scene.assembly.stats;
+  for (const auto& worker : workers) stats += worker->stats;
+  return stats;
+}
+
+}  // namespace lode::raster::fast
