@@ -83,6 +83,7 @@ class Builder {
       split(parts[i], 0, tasks[i]);
     });
     for (std::size_t i = 0; i < parts.size(); ++i) append(all, tasks[i].node, parts[i]);
+    all.corners.resize(all.corners.size() + 1);  // three bytes are read as four
     all.n_positions = positions_.size();
     all.n_primitives = n;
     return all;

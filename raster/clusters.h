@@ -37,7 +37,7 @@ struct Clusters {
   std::vector<ClusterNode> nodes;         ///< node 0 is the root; empty without triangles
   std::vector<float> x, y, z;             ///< positions, cluster by cluster; padding repeats the last vertex
   std::vector<std::uint32_t> vertices;    ///< the mesh's vertex at each of them
-  std::vector<std::uint8_t> corners;      ///< [3 · triangles] vertices within the cluster
+  std::vector<std::uint8_t> corners;      ///< [3 · triangles + 1] vertices within the cluster
   std::vector<std::uint32_t> primitives;  ///< [triangles] the mesh's triangle
   std::size_t n_positions = 0;            ///< of the mesh that they were made of
   std::size_t n_primitives = 0;

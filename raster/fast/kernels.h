@@ -75,6 +75,27 @@ struct RasterJob {
   int (*facing_sign)(const void* context, std::uint32_t triangle) = nullptr;
 };
 
+/// A cluster with samples in the tile: where its vertices and triangles begin in its draw's clusters.
+struct Resident {
+  std::uint32_t first_vertex = 0;
+  std::uint32_t first_triangle = 0;
+  std::uint32_t fast_draw = 0;
+  std::uint32_t cluster = 0;
+};
+
+/// Samples of one draw whose colour is its vertices' colours times its own: no texture, no shader.
+struct FlatJob {
+  const Resident* residents = nullptr;
+  const WindowVertices128* vertices = nullptr;  ///< [residents]
+  const std::uint8_t* corners = nullptr;        ///< of the draw's clusters
+  const std::uint32_t* mesh_vertices = nullptr;
+  const float* colors = nullptr;  ///< [4 · mesh vertices], or null
+  std::array<float, 4> color{};   ///< the draw's, if has_color
+  bool has_color = false;
+  float full = 255.0f;       ///< 255 for bytes, 1 for floats
+  int x_fx8 = 0, y_fx8 = 0;  ///< the first sample of the 4×4, from the tile's corner
+};
+
 struct Kernels {
   const char* name;
   Projected (*project)(const DrawView& view, const glm::vec3& low, const glm::vec3& high);
@@ -85,6 +106,10 @@ struct Kernels {
   bool (*rasterize)(const RasterJob& job, TileBuffers& tile, RasterCounts& counts);
   /// Least depth over the blocks that the pixels [begin, end) touch; refreshes the stale ones.
   float (*least_depth)(TileBuffers& tile, int begin_x, int begin_y, int end_x, int end_y);
+  /// Colours of a 4×4's samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
+  void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
+  /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).
+  void (*store_bytes)(const float* rgba, std::uint32_t* bytes);
 };
 
 /// Kernels of the widest set that this processor has, or of the one named; null if there is none such.

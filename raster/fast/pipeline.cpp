@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +31,8 @@ struct FastDraw {
   DrawView view;
   PixelBox limits;
   Projected root;
+  bool flat = false;  ///< neither texture nor shader
+  FlatJob flat_job;
   std::vector<std::uint32_t> unclean;  ///< triangles of clusters that may need clipping
 };
 
@@ -72,17 +76,11 @@ struct Waiting {
   }
 };
 
-/// A cluster with samples in the tile.
-struct Resident {
-  std::uint32_t fast_draw;
-  std::uint32_t cluster;
-};
-
 struct Worker {
   TileBuffers tile;
   std::vector<Waiting> heap;
   std::vector<Resident> residents;
-  std::vector<std::unique_ptr<WindowVertices128>> vertices;  ///< [residents + 1], reused
+  std::vector<WindowVertices128> vertices;  ///< [residents + 1], reused
   std::vector<Ids> ids;
   std::vector<glm::u8vec4> rgba8;
   std::vector<glm::vec4> rgba32f;
@@ -256,12 +254,12 @@ class TileDrawer {
     const Cluster& cluster = all.clusters[c];
     ++w_.clusters_drawn;
     const std::size_t slot = w_.residents.size();
-    if (w_.vertices.size() <= slot) w_.vertices.push_back(std::make_unique<WindowVertices128>());
-    WindowVertices128& vertices = *w_.vertices[slot];
+    if (w_.vertices.size() <= slot) w_.vertices.resize(std::max<std::size_t>(64, 2 * slot));
+    WindowVertices128& vertices = w_.vertices[slot];
     scene_.kernels->transform(fast.view, all.x.data() + cluster.first_vertex, all.y.data() + cluster.first_vertex,
                               all.z.data() + cluster.first_vertex, cluster.n_vertices, box_.begin_px.x * 256,
                               box_.begin_px.y * 256, &vertices);
-    w_.residents.push_back({f, c});
+    w_.residents.push_back({cluster.first_vertex, cluster.first_triangle, f, c});
     RasterJob job;
     job.corners = all.corners.data() + 3 * std::size_t(cluster.first_triangle);
     job.n_triangles = cluster.n_triangles;
@@ -346,55 +344,113 @@ class TileDrawer {
   // ---- Shading, once a sample ----
 
   void resolve() {
-    std::array<glm::ivec2, kMaxShadeBatch> pixels;
-    std::array<glm::vec4, kMaxShadeBatch> rgba;
-    std::array<float, kMaxShadeBatch> depths;
-    std::array<std::size_t, kMaxShadeBatch> places;
     const glm::u8vec4 clear8 = store_rgba8(scene_.frame.clear);
     const glm::vec4 clear32 = store_rgba32f(scene_.frame.clear);
-    for (int by = 0; by < size_.y; by += 8) {
-      for (int bx = 0; bx < size_.x; bx += 8) {
-        const std::size_t base = std::size_t(place_in_tile(bx, by));
-        std::uint64_t done = 0;
-        for (std::size_t k = 0; k < 64; ++k) {
-          if (done >> k & 1) continue;
-          const std::uint32_t owner = w_.tile.owner[base + k];
-          std::size_t n = 0;
-          for (std::size_t j = k; j < 64; ++j) {
-            if (w_.tile.owner[base + j] != owner) continue;
-            done |= std::uint64_t(1) << j;
-            const int x = bx + int((j >> 4 & 1) * 4 + (j & 3)), y = by + int((j >> 5) * 4 + (j >> 2 & 3));
-            if (x >= size_.x || y >= size_.y) continue;
-            places[n] = base + j;
-            depths[n] = w_.tile.depth[base + j];
-            pixels[n++] = box_.begin_px + glm::ivec2(x, y);
-          }
-          if (owner == kNoOwner) {
-            for (std::size_t i = 0; i < n; ++i) {
-              w_.ids[places[i]] = {kNoId, kNoId};
-              if (format_ == ColorFormat::rgba8) {
-                w_.rgba8[places[i]] = clear8;
-              } else {
-                w_.rgba32f[places[i]] = clear32;
-              }
-            }
-            continue;
-          }
-          if (n == 0) continue;
-          const Piece* p;
-          Piece made;
-          if (owner & kPieceBit) {
-            p = &piece(owner & ~kPieceBit);
-          } else {
-            make_piece(owner, made);
-            p = &made;
-          }
-          for (std::size_t i = 0; i < n; ++i) w_.ids[places[i]] = p->ids;
-          if (!has_color_) continue;
-          reference::shade(scene_.frame.draws[p->draw], *p, format_,
-                           {{pixels.data(), n}, {depths.data(), n}, sample_fx8_}, rgba.data(), w_.stats);
-          for (std::size_t i = 0; i < n; ++i) store(places[i], rgba[i], Blend::none);
+    for (int qy = 0; qy < size_.y; qy += 4) {
+      for (int qx = 0; qx < size_.x; qx += 4) {
+        const auto base = std::size_t(place_in_tile(qx, qy));
+        std::uint32_t left = 0;  // samples in the picture that are not yet done
+        for (std::uint32_t k = 0; k < 16; ++k) {
+          if (qx + int(k & 3) < size_.x && qy + int(k >> 2) < size_.y) left |= 1u << k;
         }
+        while (left != 0) left &= ~resolve_some(qx, qy, base, left, clear8, clear32);
+      }
+    }
+  }
+
+  /// Shades the first sample that is left and those that go with it; returns which.
+  std::uint32_t resolve_some(int qx, int qy, std::size_t base, std::uint32_t left, glm::u8vec4 clear8,
+                             const glm::vec4& clear32) {
+    const std::uint32_t* owners = w_.tile.owner + base;
+    const std::uint32_t owner = owners[std::countr_zero(left)];
+    const auto select = [&](auto same) {
+      std::uint32_t lanes = 0;
+      for (std::uint32_t k = 0; k < 16; ++k) {
+        if ((left >> k & 1) && same(owners[k])) lanes |= 1u << k;
+      }
+      return lanes;
+    };
+    const auto for_each = [](std::uint32_t lanes, auto visit) {
+      for (; lanes != 0; lanes &= lanes - 1) visit(std::uint32_t(std::countr_zero(lanes)));
+    };
+    if (owner == kNoOwner) {
+      const std::uint32_t lanes = select([](std::uint32_t o) { return o == kNoOwner; });
+      for_each(lanes, [&](std::uint32_t k) {
+        if (!image_.ids.empty()) w_.ids[base + k] = {kNoId, kNoId};
+        if (!w_.rgba8.empty()) w_.rgba8[base + k] = clear8;
+        if (!w_.rgba32f.empty()) w_.rgba32f[base + k] = clear32;
+      });
+      return lanes;
+    }
+    if (!(owner & kPieceBit)) {
+      const std::uint32_t f = w_.residents[owner / kTrianglesPerResident].fast_draw;
+      if (scene_.fast[f].flat || !has_color_) {
+        const std::uint32_t lanes = select([&](std::uint32_t o) {
+          return !(o & kPieceBit) && w_.residents[o / kTrianglesPerResident].fast_draw == f;
+        });
+        resolve_flat(scene_.fast[f], qx, qy, base, lanes, owner);
+        if (!image_.ids.empty()) {
+          const Draw& draw = scene_.frame.draws[scene_.fast[f].draw];
+          for_each(lanes, [&](std::uint32_t k) {
+            const Resident& r = w_.residents[owners[k] / kTrianglesPerResident];
+            const std::uint32_t primitive =
+                scene_.fast[f].clusters->primitives[r.first_triangle + owners[k] % kTrianglesPerResident];
+            w_.ids[base + k] = {draw.draw_id.value_or(scene_.fast[f].draw), draw.primitive_id.value_or(primitive)};
+          });
+        }
+        return lanes;
+      }
+    }
+    const std::uint32_t lanes = select([&](std::uint32_t o) { return o == owner; });
+    std::array<glm::ivec2, 16> pixels;
+    std::array<float, 16> depths;
+    std::array<glm::vec4, 16> rgba;
+    std::size_t n = 0;
+    for_each(lanes, [&](std::uint32_t k) {
+      depths[n] = w_.tile.depth[base + k];
+      pixels[n++] = box_.begin_px + glm::ivec2(qx + int(k & 3), qy + int(k >> 2));
+    });
+    Piece made;
+    if (!(owner & kPieceBit)) make_piece(owner, made);
+    const Piece& p = owner & kPieceBit ? piece(owner & ~kPieceBit) : made;
+    if (has_color_) {
+      reference::shade(scene_.frame.draws[p.draw], p, format_, {{pixels.data(), n}, {depths.data(), n}, sample_fx8_},
+                       rgba.data(), w_.stats);
+    }
+    n = 0;
+    for_each(lanes, [&](std::uint32_t k) {
+      if (!image_.ids.empty()) w_.ids[base + k] = p.ids;
+      if (has_color_) store(base + k, rgba[n++], Blend::none);
+    });
+    return lanes;
+  }
+
+  void resolve_flat(const FastDraw& fast, int qx, int qy, std::size_t base, std::uint32_t lanes,
+                    std::uint32_t any_owner) {
+    if (!has_color_) return;
+    w_.stats.fragments_shaded += std::uint64_t(std::popcount(lanes));
+    FlatJob job = fast.flat_job;
+    job.residents = w_.residents.data();
+    job.vertices = w_.vertices.data();
+    job.x_fx8 = qx * 256 + sample_fx8_.x;
+    job.y_fx8 = qy * 256 + sample_fx8_.y;
+    std::array<std::uint32_t, 16> owners;
+    for (std::uint32_t k = 0; k < 16; ++k) owners[k] = lanes >> k & 1 ? w_.tile.owner[base + k] : any_owner;
+    alignas(64) std::array<float, 64> rgba;
+    if (job.colors) {
+      scene_.kernels->shade_flat(job, owners.data(), rgba.data());
+    } else {
+      for (std::size_t i = 0; i < 64; ++i) rgba[i] = job.color[i / 16];
+    }
+    if (!w_.rgba8.empty()) {
+      std::array<std::uint32_t, 16> bytes;
+      scene_.kernels->store_bytes(rgba.data(), bytes.data());
+      for (std::uint32_t k = 0; k < 16; ++k) {
+        if (lanes >> k & 1) std::memcpy(&w_.rgba8[base + k], &bytes[k], 4);
+      }
+    } else {
+      for (std::uint32_t k = 0; k < 16; ++k) {
+        if (lanes >> k & 1) w_.rgba32f[base + k] = store_rgba32f({rgba[k], rgba[16 + k], rgba[32 + k], rgba[48 + k]});
       }
     }
   }
@@ -406,7 +462,7 @@ class TileDrawer {
     const Clusters& all = *fast.clusters;
     const Cluster& cluster = all.clusters[r.cluster];
     const std::size_t t = cluster.first_triangle + owner % kTrianglesPerResident;
-    const WindowVertices128& v = *w_.vertices[owner / kTrianglesPerResident];
+    const WindowVertices128& v = w_.vertices[owner / kTrianglesPerResident];
     std::array<reference::WindowVertex, 3> corners;
     std::array<std::uint32_t, 3> vertices;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -428,14 +484,26 @@ class TileDrawer {
 
   void write() {
     for (int y = 0; y < size_.y; ++y) {
-      std::size_t to = std::size_t(box_.begin_px.y + y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
-      for (int x = 0; x < size_.x; ++x, ++to) {
-        const auto from = std::size_t(place_in_tile(x, y));
-        if (!image_.rgba8.empty()) image_.rgba8[to] = w_.rgba8[from];
-        if (!image_.rgba32f.empty()) image_.rgba32f[to] = w_.rgba32f[from];
-        if (!image_.depth.empty()) image_.depth[to] = w_.tile.owner[from] == kNoOwner ? 0.0f : w_.tile.depth[from];
-        if (!image_.ids.empty()) image_.ids[to] = w_.ids[from];
+      const std::size_t row =
+          std::size_t(box_.begin_px.y + y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+      for (int x = 0; x < size_.x; x += 4) {  // four neighbours lie together
+        const auto from = std::size_t(place_in_tile(x, y)), to = row + std::size_t(x);
+        const auto n = std::size_t(std::min(4, size_.x - x));
+        if (!image_.rgba8.empty()) copy(&image_.rgba8[to], &w_.rgba8[from], n);
+        if (!image_.rgba32f.empty()) copy(&image_.rgba32f[to], &w_.rgba32f[from], n);
+        if (!image_.ids.empty()) copy(&image_.ids[to], &w_.ids[from], n);
+        if (image_.depth.empty()) continue;
+        for (std::size_t i = 0; i < n; ++i) image_.depth[to + i] = std::max(w_.tile.depth[from + i], 0.0f);
       }
+    }
+  }
+
+  template <class T>
+  static void copy(T* to, const T* from, std::size_t n) {
+    if (n == 4) {
+      std::memcpy(static_cast<void*>(to), from, 4 * sizeof(T));
+    } else {
+      std::copy_n(from, n, to);
     }
   }
 
@@ -488,6 +556,14 @@ FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& op
     }
     fast.view = make_view(frame, draw, size);
     fast.limits = reference::drawable_pixels(frame, draw, size);
+    fast.flat = !draw.texture && !draw.shader.function;
+    fast.flat_job.corners = fast.clusters->corners.data();
+    fast.flat_job.mesh_vertices = fast.clusters->vertices.data();
+    fast.flat_job.colors = draw.colors.empty() ? nullptr : &draw.colors[0].x;
+    fast.flat_job.has_color = draw.color.has_value();
+    fast.flat_job.full = image.format == ColorFormat::rgba8 ? 255.0f : 1.0f;
+    const glm::vec4 color = draw.color.value_or(glm::vec4(fast.flat_job.full));
+    fast.flat_job.color = {color.r, color.g, color.b, color.a};
     if (!fast.clusters->nodes.empty()) {
       const ClusterNode& root = fast.clusters->nodes[0];
       fast.root = scene.kernels->project(fast.view, root.low, root.high);
