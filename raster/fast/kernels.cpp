@@ -378,47 +378,275 @@ bool SetUp(const RasterJob& job, int triangle, Setup* s) {
   return true;
 }
 
-bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
-  const WindowVertices128& v = *job.vertices;
-  bool any = false;
-  counts.triangles_in += std::uint64_t(job.n_triangles);
-  for (int t = 0; t < job.n_triangles; ++t) {
-    const int a = job.corners[3 * t], b = job.corners[3 * t + 1], c = job.corners[3 * t + 2];
-    const int x0 = std::min({v.x_fx8[a], v.x_fx8[b], v.x_fx8[c]}), x1 = std::max({v.x_fx8[a], v.x_fx8[b], v.x_fx8[c]});
-    const int y0 = std::min({v.y_fx8[a], v.y_fx8[b], v.y_fx8[c]}), y1 = std::max({v.y_fx8[a], v.y_fx8[b], v.y_fx8[c]});
-    Setup s;
-    s.begin_x = std::max(job.begin_x, (x0 - job.sample_x_fx8 + 255) >> 8);
-    s.end_x = std::min(job.end_x, ((x1 - job.sample_x_fx8) >> 8) + 1);
-    s.begin_y = std::max(job.begin_y, (y0 - job.sample_y_fx8 + 255) >> 8);
-    s.end_y = std::min(job.end_y, ((y1 - job.sample_y_fx8) >> 8) + 1);
-    if (s.begin_x >= s.end_x || s.begin_y >= s.end_y) {
-      ++counts.no_sample;
-      continue;
-    }
+/// Triangles of a cluster that may have samples, by how they are walked.
+struct Survivors {
+  alignas(64) std::int32_t tiny[kMaxClusterTriangles + 16];
+  std::int32_t others[kMaxClusterTriangles];
+  int n_tiny = 0, n_others = 0;
+};
+
+constexpr int kTinyPixels = 24;  ///< pixels in the box of a triangle that is walked in a lane
+
+using I = hn::Vec<Ints>;
+
+HWY_INLINE I Least(I a, I b, I c) { return hn::Min(hn::Min(a, b), c); }
+HWY_INLINE I Most(I a, I b, I c) { return hn::Max(hn::Max(a, b), c); }
+
+/// Corners of sixteen triangles.
+struct Corners {
+  I x[3], y[3];
+  I local[3];
+};
+HWY_INLINE Corners LoadCorners(const RasterJob& job, I triangles) {
+  const Ints di;
+  const auto bytes = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(job.corners),
+                                      hn::Add(triangles, hn::Add(triangles, triangles)));
+  const auto byte = hn::Set(di, 255);
+  Corners c;
+  c.local[0] = hn::And(bytes, byte);
+  c.local[1] = hn::And(hn::ShiftRight<8>(bytes), byte);
+  c.local[2] = hn::And(hn::ShiftRight<16>(bytes), byte);
+  for (int k = 0; k < 3; ++k) {
+    c.x[k] = hn::GatherIndex(di, job.vertices->x_fx8, c.local[k]);
+    c.y[k] = hn::GatherIndex(di, job.vertices->y_fx8, c.local[k]);
+  }
+  return c;
+}
+
+/// Pixels whose samples the triangles' boxes hold, inside what may be written.
+struct PixelBoxes {
+  I begin_x, begin_y, end_x, end_y;
+};
+HWY_INLINE PixelBoxes BoxesOf(const RasterJob& job, const Corners& c) {
+  const Ints di;
+  const auto sx = hn::Set(di, job.sample_x_fx8), sy = hn::Set(di, job.sample_y_fx8), up = hn::Set(di, 255),
+             one = hn::Set(di, 1);
+  const auto x0 = Least(c.x[0], c.x[1], c.x[2]), x1 = Most(c.x[0], c.x[1], c.x[2]);
+  const auto y0 = Least(c.y[0], c.y[1], c.y[2]), y1 = Most(c.y[0], c.y[1], c.y[2]);
+  return {hn::Max(hn::Set(di, job.begin_x), hn::ShiftRight<8>(hn::Add(hn::Sub(x0, sx), up))),
+          hn::Max(hn::Set(di, job.begin_y), hn::ShiftRight<8>(hn::Add(hn::Sub(y0, sy), up))),
+          hn::Min(hn::Set(di, job.end_x), hn::Add(hn::ShiftRight<8>(hn::Sub(x1, sx)), one)),
+          hn::Min(hn::Set(di, job.end_y), hn::Add(hn::ShiftRight<8>(hn::Sub(y1, sy)), one))};
+}
+
+/// Drops triangles without samples, turned away or without area, sixteen at a time.
+void Sift(const RasterJob& job, RasterCounts& counts, Survivors& out) {
+  const Ints di;
+  const std::size_t lanes = hn::Lanes(di);
+  for (int first = 0; first < job.n_triangles; first += int(lanes)) {
+    const auto triangle = hn::Add(hn::Set(di, first), hn::Iota(di, 0));
+    const auto exists = hn::Lt(triangle, hn::Set(di, job.n_triangles));
+    const Corners c = LoadCorners(job, hn::IfThenElseZero(exists, triangle));
+    const PixelBoxes box = BoxesOf(job, c);
+    const auto w = hn::Sub(box.end_x, box.begin_x), h = hn::Sub(box.end_y, box.begin_y);
+    auto alive = hn::And(exists, hn::And(hn::Gt(w, hn::Zero(di)), hn::Gt(h, hn::Zero(di))));
+    counts.no_sample += hn::CountTrue(di, exists) - hn::CountTrue(di, alive);
+    if (hn::AllFalse(di, alive)) continue;
+    const auto extent_x = hn::Sub(Most(c.x[0], c.x[1], c.x[2]), Least(c.x[0], c.x[1], c.x[2]));
+    const auto extent_y = hn::Sub(Most(c.y[0], c.y[1], c.y[2]), Least(c.y[0], c.y[1], c.y[2]));
+    const auto narrow = hn::Lt(hn::Max(extent_x, extent_y), hn::Set(di, 64 * 256));
+    const auto area = hn::Sub(hn::Mul(hn::Sub(c.x[1], c.x[0]), hn::Sub(c.y[2], c.y[0])),
+                              hn::Mul(hn::Sub(c.y[1], c.y[0]), hn::Sub(c.x[2], c.x[0])));
+    // Of narrow ones the area is exact here; the others are looked at one by one.
+    const auto empty = hn::And(hn::And(alive, narrow), hn::Eq(area, hn::Zero(di)));
+    counts.empty += hn::CountTrue(di, empty);
+    alive = hn::AndNot(empty, alive);
+    auto doubtful = hn::Lt(hn::Zero(di), hn::Zero(di));
     if (job.cull != Cull::none) {
-      const double area = double(v.x_fx8[b] - v.x_fx8[a]) * double(v.y_fx8[c] - v.y_fx8[a]) -
-                          double(v.y_fx8[b] - v.y_fx8[a]) * double(v.x_fx8[c] - v.x_fx8[a]);
-      // Counter-clockwise as seen has a negative area with y down. Snapping moves each difference by less than 1.
-      const double wanted = job.cull == Cull::back ? -area : area;
-      const double doubt = 2.0 * (double(x1 - x0) + double(y1 - y0)) + 4.0;
-      if (wanted <= 0.0 || (wanted <= doubt &&
-                            job.facing_sign(job.context, std::uint32_t(t)) * (job.cull == Cull::back ? 1 : -1) <= 0)) {
-        ++counts.facing;
-        continue;
+      const auto wanted = job.cull == Cull::back ? hn::Sub(hn::Zero(di), area) : area;
+      const auto away = hn::And(hn::And(alive, narrow), hn::Lt(wanted, hn::Zero(di)));
+      counts.facing += hn::CountTrue(di, away);
+      alive = hn::AndNot(away, alive);
+      const auto doubt = hn::Add(hn::ShiftLeft<1>(hn::Add(extent_x, extent_y)), hn::Set(di, 4));
+      doubtful = hn::And(hn::And(alive, narrow), hn::Not(hn::Gt(wanted, doubt)));
+    }
+    const auto tiny =
+        hn::And(hn::And(alive, narrow),
+                hn::AndNot(doubtful, hn::Not(hn::Gt(hn::Mul(hn::Min(w, hn::Set(di, 64)), hn::Min(h, hn::Set(di, 64))),
+                                                    hn::Set(di, kTinyPixels)))));
+    out.n_tiny += int(hn::CompressStore(triangle, tiny, di, out.tiny + out.n_tiny));
+    alignas(64) std::int32_t rest[16];
+    const auto n_rest = hn::CompressStore(triangle, hn::AndNot(tiny, alive), di, rest);
+    for (std::size_t i = 0; i < n_rest; ++i) out.others[out.n_others++] = rest[i];
+  }
+}
+
+/// Samples found by the lanes, to be given depths together.
+struct Fragments {
+  static constexpr int kMost = 16 * kTinyPixels;
+  alignas(64) std::int32_t place[kMost + 16], lane[kMost + 16], e0[kMost + 16], e1[kMost + 16], e2[kMost + 16];
+  int n = 0;
+};
+
+/// What the lanes' triangles have in common with a Setup, [16] each.
+struct LaneSetups {
+  alignas(64) double z0[16], z1[16], z2[16], area[16], low[16], high[16];
+  alignas(64) std::int32_t owner[16];
+};
+
+/// Sixteen tiny triangles side by side: each lane walks the box of its own.
+int RasterizeTiny(const RasterJob& job, const std::int32_t* list, int n, TileBuffers& tile) {
+  const Ints di;
+  const Doubles d;
+  const HalfInts hi;
+  const HalfFloats hf;
+  const hn::RebindToSigned<Doubles> i64;
+  alignas(64) LaneSetups setups;
+  alignas(64) Fragments fragments;
+  int passed = 0;
+  for (int first = 0; first < n; first += int(hn::Lanes(di))) {
+    const auto exists = hn::Lt(hn::Add(hn::Iota(di, 0), hn::Set(di, first)), hn::Set(di, n));
+    const auto triangle = hn::IfThenElse(exists, hn::LoadU(di, list + first), hn::Set(di, list[first]));
+    Corners c = LoadCorners(job, triangle);
+    const PixelBoxes box = BoxesOf(job, c);
+    const auto sort_pair = [&](int a, int b) HWY_ATTR {
+      const auto swap = hn::Or(hn::Lt(c.x[b], c.x[a]), hn::And(hn::Eq(c.x[b], c.x[a]), hn::Lt(c.y[b], c.y[a])));
+      for (I* v : {c.x, c.y, c.local}) {
+        const I one = v[a], two = v[b];
+        v[a] = hn::IfThenElse(swap, two, one);
+        v[b] = hn::IfThenElse(swap, one, two);
+      }
+    };
+    sort_pair(0, 1);
+    sort_pair(1, 2);
+    sort_pair(0, 1);
+    const auto area = hn::Sub(hn::Mul(hn::Sub(c.x[1], c.x[0]), hn::Sub(c.y[2], c.y[0])),
+                              hn::Mul(hn::Sub(c.y[1], c.y[0]), hn::Sub(c.x[2], c.x[0])));
+    const auto negative = hn::Lt(area, hn::Zero(di));
+    const auto px = hn::Add(hn::ShiftLeft<8>(box.begin_x), hn::Set(di, job.sample_x_fx8));
+    const auto py = hn::Add(hn::ShiftLeft<8>(box.begin_y), hn::Set(di, job.sample_y_fx8));
+    I row[3], step_x[3], step_y[3], bias[3];
+    for (int k = 0; k < 3; ++k) {
+      const int a = (k + 1) % 3, b = (k + 2) % 3;
+      auto dx = hn::Sub(c.x[b], c.x[a]), dy = hn::Sub(c.y[b], c.y[a]);
+      dx = hn::IfThenElse(negative, hn::Neg(dx), dx);
+      dy = hn::IfThenElse(negative, hn::Neg(dy), dy);
+      row[k] = hn::Sub(hn::Mul(dx, hn::Sub(py, c.y[a])), hn::Mul(dy, hn::Sub(px, c.x[a])));
+      step_x[k] = hn::ShiftLeft<8>(hn::Neg(dy));
+      step_y[k] = hn::ShiftLeft<8>(dx);
+      const auto top_left =
+          hn::Or(hn::Lt(dy, hn::Zero(di)), hn::And(hn::Eq(dy, hn::Zero(di)), hn::Gt(dx, hn::Zero(di))));
+      bias[k] = hn::IfThenZeroElse(top_left, hn::Set(di, 1));
+    }
+    // Depths at the corners, for the fragments.
+    for (std::size_t half = 0; half < hn::Lanes(di); half += hn::Lanes(d)) {
+      alignas(64) std::int32_t local[3][16], areas[16];
+      for (int k = 0; k < 3; ++k) hn::Store(c.local[k], di, local[k]);
+      hn::Store(hn::Abs(area), di, areas);
+      const auto z = [&](int k) HWY_ATTR {
+        return hn::GatherIndex(d, job.vertices->z, hn::PromoteTo(i64, hn::LoadU(hi, local[k] + half)));
+      };
+      const auto z0 = z(0), z1 = z(1), z2 = z(2);
+      hn::StoreU(z0, d, setups.z0 + half);
+      hn::StoreU(z1, d, setups.z1 + half);
+      hn::StoreU(z2, d, setups.z2 + half);
+      hn::StoreU(hn::Min(hn::Min(z0, z1), z2), d, setups.low + half);
+      hn::StoreU(hn::Max(hn::Max(z0, z1), z2), d, setups.high + half);
+      hn::StoreU(hn::PromoteTo(d, hn::LoadU(hi, areas + half)), d, setups.area + half);
+    }
+    hn::Store(hn::Add(hn::Set(di, std::int32_t(job.first_owner)), triangle), di, setups.owner);
+
+    // The walk.
+    const auto w = hn::IfThenElseZero(exists, hn::Sub(box.end_x, box.begin_x)),
+               h = hn::IfThenElseZero(exists, hn::Sub(box.end_y, box.begin_y));
+    const int most_w = hn::GetLane(hn::MaxOfLanes(di, w)), most_h = hn::GetLane(hn::MaxOfLanes(di, h));
+    fragments.n = 0;
+    for (int dy = 0; dy < most_h; ++dy) {
+      const auto row_alive = hn::Gt(h, hn::Set(di, dy));
+      I e[3] = {row[0], row[1], row[2]};
+      const auto y = hn::Add(box.begin_y, hn::Set(di, dy));
+      for (int dx = 0; dx < most_w; ++dx) {
+        const auto signs = hn::Or(hn::Or(hn::Sub(e[0], bias[0]), hn::Sub(e[1], bias[1])), hn::Sub(e[2], bias[2]));
+        const auto inside = hn::And(hn::And(row_alive, hn::Gt(w, hn::Set(di, dx))), hn::Gt(signs, hn::Set(di, -1)));
+        if (!hn::AllFalse(di, inside)) {
+          const auto x = hn::Add(box.begin_x, hn::Set(di, dx));
+          const auto packed = hn::Or(hn::ShiftLeft<16>(y), x);
+          hn::CompressStore(packed, inside, di, fragments.place + fragments.n);
+          hn::CompressStore(hn::Iota(di, 0), inside, di, fragments.lane + fragments.n);
+          hn::CompressStore(e[0], inside, di, fragments.e0 + fragments.n);
+          hn::CompressStore(e[1], inside, di, fragments.e1 + fragments.n);
+          fragments.n += int(hn::CompressStore(e[2], inside, di, fragments.e2 + fragments.n));
+        }
+        for (int k = 0; k < 3; ++k) e[k] = hn::Add(e[k], step_x[k]);
+      }
+      for (int k = 0; k < 3; ++k) row[k] = hn::Add(row[k], step_y[k]);
+    }
+
+    // Depths, and who wins.
+    for (int f = fragments.n; f < fragments.n + 16; ++f)
+      fragments.lane[f] = 0, fragments.e0[f] = fragments.e1[f] = fragments.e2[f] = 0;
+    for (int f = 0; f < fragments.n; f += int(hn::Lanes(d))) {
+      const auto lane = hn::PromoteTo(i64, hn::LoadU(hi, fragments.lane + f));
+      const auto e0 = hn::PromoteTo(d, hn::LoadU(hi, fragments.e0 + f));
+      const auto e1 = hn::PromoteTo(d, hn::LoadU(hi, fragments.e1 + f));
+      const auto e2 = hn::PromoteTo(d, hn::LoadU(hi, fragments.e2 + f));
+      const auto sum = hn::Add(
+          hn::Add(hn::Mul(e0, hn::GatherIndex(d, setups.z0, lane)), hn::Mul(e1, hn::GatherIndex(d, setups.z1, lane))),
+          hn::Mul(e2, hn::GatherIndex(d, setups.z2, lane)));
+      const auto z = hn::Div(sum, hn::GatherIndex(d, setups.area, lane));
+      alignas(64) float depths[16];
+      hn::StoreU(hn::DemoteTo(hf, hn::Min(hn::Max(z, hn::GatherIndex(d, setups.low, lane)),
+                                          hn::GatherIndex(d, setups.high, lane))),
+                 hf, depths);
+      const int end = std::min(int(hn::Lanes(d)), fragments.n - f);
+      for (int k = 0; k < end; ++k) {
+        const std::int32_t packed = fragments.place[f + k];
+        const int place = place_in_tile(packed & 0xFFFF, packed >> 16);
+        const float depth = depths[k], old = tile.depth[place];
+        const auto owner = std::uint32_t(setups.owner[fragments.lane[f + k]]);
+        if (depth > old || (depth == old && job.key_before(job.context, owner, tile.owner[place]))) {
+          tile.depth[place] = depth;
+          tile.owner[place] = owner;
+          tile.stale[place >> 6] = 1;
+          ++passed;
+        }
       }
     }
-    if (!SetUp(job, t, &s)) {
-      ++counts.empty;
-      continue;
-    }
-    ++counts.rasterized;
-    s.owner = job.first_owner + std::uint32_t(t);
-    const bool small = x1 - x0 <= 64 * 256 && y1 - y0 <= 64 * 256;
-    const int passed = small ? RasterizeSmall(job, s, tile, counts) : RasterizeLarge(job, s, tile, counts);
-    counts.fragments_passed += std::uint64_t(passed);
-    any |= passed > 0;
   }
-  return any;
+  return passed;
+}
+
+/// A triangle by itself, of any size.
+int RasterizeOne(const RasterJob& job, int t, TileBuffers& tile, RasterCounts& counts) {
+  const WindowVertices128& v = *job.vertices;
+  const int a = job.corners[3 * t], b = job.corners[3 * t + 1], c = job.corners[3 * t + 2];
+  const int x0 = std::min({v.x_fx8[a], v.x_fx8[b], v.x_fx8[c]}), x1 = std::max({v.x_fx8[a], v.x_fx8[b], v.x_fx8[c]});
+  const int y0 = std::min({v.y_fx8[a], v.y_fx8[b], v.y_fx8[c]}), y1 = std::max({v.y_fx8[a], v.y_fx8[b], v.y_fx8[c]});
+  Setup s;
+  s.begin_x = std::max(job.begin_x, (x0 - job.sample_x_fx8 + 255) >> 8);
+  s.end_x = std::min(job.end_x, ((x1 - job.sample_x_fx8) >> 8) + 1);
+  s.begin_y = std::max(job.begin_y, (y0 - job.sample_y_fx8 + 255) >> 8);
+  s.end_y = std::min(job.end_y, ((y1 - job.sample_y_fx8) >> 8) + 1);
+  if (job.cull != Cull::none) {
+    const double area = double(v.x_fx8[b] - v.x_fx8[a]) * double(v.y_fx8[c] - v.y_fx8[a]) -
+                        double(v.y_fx8[b] - v.y_fx8[a]) * double(v.x_fx8[c] - v.x_fx8[a]);
+    // Counter-clockwise as seen has a negative area with y down. Snapping moves each difference by less than 1.
+    const double wanted = job.cull == Cull::back ? -area : area;
+    const double doubt = 2.0 * (double(x1 - x0) + double(y1 - y0)) + 4.0;
+    if (wanted <= 0.0 ||
+        (wanted <= doubt && job.facing_sign(job.context, std::uint32_t(t)) * (job.cull == Cull::back ? 1 : -1) <= 0)) {
+      ++counts.facing;
+      return 0;
+    }
+  }
+  if (!SetUp(job, t, &s)) {
+    ++counts.empty;
+    return 0;
+  }
+  s.owner = job.first_owner + std::uint32_t(t);
+  const bool small = x1 - x0 <= 64 * 256 && y1 - y0 <= 64 * 256;
+  return small ? RasterizeSmall(job, s, tile, counts) : RasterizeLarge(job, s, tile, counts);
+}
+
+bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
+  Survivors survivors;
+  counts.triangles_in += std::uint64_t(job.n_triangles);
+  Sift(job, counts, survivors);
+  counts.rasterized += std::uint64_t(survivors.n_tiny);
+  int passed = RasterizeTiny(job, survivors.tiny, survivors.n_tiny, tile);
+  for (int i = 0; i < survivors.n_others; ++i) passed += RasterizeOne(job, survivors.others[i], tile, counts);
+  counts.fragments_passed += std::uint64_t(passed);
+  return passed > 0;
 }
 
 // ---- Shading ----
