@@ -6,6 +6,7 @@
 
 #include "geometry/error.h"
 #include "geometry/model_file/gltf/gltf_file.h"
+#include "geometry/model_file/obj/obj_file.h"
 
 namespace lode::geometry {
 namespace {
@@ -16,7 +17,7 @@ struct Format {
   std::string_view ending;
   Reader read;
 };
-constexpr Format kFormats[] = {{".gltf", read_gltf}, {".glb", read_gltf}};
+constexpr Format kFormats[] = {{".gltf", read_gltf}, {".glb", read_gltf}, {".obj", read_obj}};
 
 /// What reads files with the path's ending, or null.
 Reader reader_of(std::string_view path) {
