@@ -7,6 +7,8 @@
 #include "geometry/error.h"
 #include "geometry/model_file/gltf/gltf_file.h"
 #include "geometry/model_file/obj/obj_file.h"
+#include "geometry/model_file/ply/ply_file.h"
+#include "geometry/model_file/stl/stl_file.h"
 
 namespace lode::geometry {
 namespace {
@@ -17,7 +19,8 @@ struct Format {
   std::string_view ending;
   Reader read;
 };
-constexpr Format kFormats[] = {{".gltf", read_gltf}, {".glb", read_gltf}, {".obj", read_obj}};
+constexpr Format kFormats[] = {
+    {".gltf", read_gltf}, {".glb", read_gltf}, {".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl}};
 
 /// What reads files with the path's ending, or null.
 Reader reader_of(std::string_view path) {
