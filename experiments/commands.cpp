@@ -1,0 +1,8 @@
+#include "experiments/command.h"
+#include "experiments/draw/draw_command.h"
+
+namespace lode::experiments {
+
+std::vector<Command> all_commands() { return {draw_command()}; }
+
+}  // namespace lode::experiments
