@@ -24,9 +24,9 @@ struct Camera {
   glm::dvec3 back{0.0, 0.0, 1.0};  ///< against the viewing direction
 
   Projection projection = Projection::perspective;
-  double tan_half_fov_y = 0.41421356237309503;  ///< perspective; > 0; default 45°
-  double height = 1.0;                          ///< orthographic: of the view, world units; > 0
-  double near = 0.1;                            ///< perspective: > 0; orthographic: any below far
+  double tan_half_fov_y = 0.41421356237309503;           ///< perspective; > 0; default 45°
+  double height = 1.0;                                   ///< orthographic: of the view, world units; > 0
+  double near = 0.1;                                     ///< perspective: > 0; orthographic: any below far
   double far = std::numeric_limits<double>::infinity();  ///< > near; infinite only with perspective
 };
 

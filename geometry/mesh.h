@@ -21,7 +21,7 @@ enum class MeshKind : std::uint8_t { triangles, lines, points };
 
 struct Mesh {
   MeshKind kind = MeshKind::triangles;
-  std::vector<glm::vec3> positions;  ///< [n], object space, finite
+  std::vector<glm::vec3> positions;    ///< [n], object space, finite
   std::vector<std::uint32_t> indices;  ///< [corners_per_primitive · primitives], each < n
 
   // Per vertex; each empty or [n].

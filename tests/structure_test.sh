@@ -42,7 +42,7 @@ door() {  # HEADER_REGEX WHERE_REGEX
 door '(tbb|oneapi)/' 'raster/parallel'
 door 'thread>' 'raster/parallel'
 door 'hwy/' 'raster/'
-door 'boost/' 'raster/'
+door 'boost/' '(raster/|geometry/predicates)'
 door 'embree' 'geometry/ray_query'
 door 'OpenImageIO/' 'geometry/image_file'
 door 'assimp/' 'geometry/model_file'
