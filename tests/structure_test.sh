@@ -45,8 +45,8 @@ door 'hwy/' 'raster/'
 door 'boost/' '(raster/|geometry/predicates)'
 door 'embree' 'geometry/ray_query'
 door 'OpenImageIO/' 'geometry/image_file'
-door 'assimp/' 'geometry/model_file'
-door '(CLI|nlohmann|openssl)/' 'experiments/'
+door 'nlohmann/' '(geometry/json/|geometry/model_file/|experiments/)'
+door '(CLI|openssl)/' 'experiments/'
 door '(gtest|gmock|benchmark|gmp|gmpxx|mpfr)[./]' 'tests/'
 
 # ---- What the pages name exists ----
