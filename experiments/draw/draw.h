@@ -2,18 +2,17 @@
 /// What `lodestone draw` does: a picture's JSON to files, text and statistics.
 
 #include <iosfwd>
-#include <optional>
 #include <string>
 
 #include "experiments/common_options.h"
+#include "experiments/output_files.h"
 
 namespace lode::experiments {
 
 struct DrawOptions {
-  std::string picture;                         ///< a path, or "-" for standard input
-  std::optional<std::string> out, depth, ids;  ///< paths of image files
-  std::optional<std::string> stats;            ///< a path, or "-" for standard output
-  bool print = false;                          ///< the picture as text, to standard output
+  std::string picture;  ///< a path, or "-" for standard input
+  OutputPaths outputs;
+  bool print = false;  ///< the picture as text, to standard output
 };
 
 /// Runs the command. Throws Error, geometry::Error or raster::Error; then no output has appeared but what

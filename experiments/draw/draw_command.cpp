@@ -30,12 +30,8 @@ constexpr const char* kFooter =
 
 void add_options(CLI::App& app, DrawOptions& draw) {
   app.add_option("PICTURE", draw.picture, "The picture's JSON; - is standard input")->required();
-  app.add_option("--out", draw.out, "Colour to F (.png, .exr, .npy)")->option_text("F");
-  app.add_option("--depth", draw.depth, "Depth to F (.exr, .npy)")->option_text("F");
-  app.add_option("--ids", draw.ids, "Draw and primitive of each pixel to F (.exr, .npy)")->option_text("F");
+  add_output_options(app, draw.outputs, "Samples covered and visible, counters and hashes, as JSON to F (- is stdout)");
   app.add_flag("--print", draw.print, "The picture as text: a letter per draw, '.' for nothing");
-  app.add_option("--stats", draw.stats, "Samples covered and visible, counters and hashes, as JSON to F (- is stdout)")
-      ->option_text("F|-");
 }
 
 }  // namespace
