@@ -16,8 +16,8 @@ constexpr int kMostPixelsListed = 10;
 void check_has_rgba8(const Image& image) {
   const std::size_t n_px = std::size_t(image.size_px.x) * std::size_t(image.size_px.y);
   if (image.format != ColorFormat::rgba8 || image.rgba8.size() != n_px) {
-    throw Error(ErrorKind::bad_input, "golden: expected an rgba8 image with a colour plane of %zu pixels, found %zu", n_px,
-                image.rgba8.size());
+    throw Error(ErrorKind::bad_input, "golden: expected an rgba8 image with a colour plane of %zu pixels, found %zu",
+                n_px, image.rgba8.size());
   }
 }
 
@@ -31,8 +31,8 @@ std::string text(glm::u8vec4 c) {
 std::string difference(const Image& actual, const Image& expected) {
   std::ostringstream out;
   if (actual.size_px != expected.size_px) {
-    out << "expected " << expected.size_px.x << " x " << expected.size_px.y << " pixels, drawn " << actual.size_px.x << " x "
-        << actual.size_px.y << "\n";
+    out << "expected " << expected.size_px.x << " x " << expected.size_px.y << " pixels, drawn " << actual.size_px.x
+        << " x " << actual.size_px.y << "\n";
     return out.str();
   }
   std::size_t n_different = 0;
@@ -44,7 +44,8 @@ std::string difference(const Image& actual, const Image& expected) {
         << text(actual.rgba8[i]) << "\n";
   }
   if (n_different == 0) return {};
-  return std::to_string(n_different) + " of " + std::to_string(actual.rgba8.size()) + " pixels differ; the first:\n" + out.str();
+  return std::to_string(n_different) + " of " + std::to_string(actual.rgba8.size()) + " pixels differ; the first:\n" +
+         out.str();
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ Image read_pam(const std::string& path) {
   glm::ivec2 size_px{-1, -1};
   int n_channels = 0;
   int maximum = 0;
-  if (!std::getline(file, line) || line != "P7") throw Error(ErrorKind::bad_input, "%s: expected a PAM file", path.c_str());
+  if (!std::getline(file, line) || line != "P7")
+    throw Error(ErrorKind::bad_input, "%s: expected a PAM file", path.c_str());
   while (std::getline(file, line) && line != "ENDHDR") {
     std::istringstream words(line);
     std::string key;
@@ -78,14 +80,21 @@ Image read_pam(const std::string& path) {
     if (key == "MAXVAL") words >> maximum;
   }
   if (n_channels != 4 || maximum != 255) {
-    throw Error(ErrorKind::bad_input, "%s: expected 4 channels of maximum 255, found %d of %d", path.c_str(), n_channels,
-                maximum);
+    throw Error(ErrorKind::bad_input, "%s: expected 4 channels of maximum 255, found %d of %d", path.c_str(),
+                n_channels, maximum);
+  }
+  // What the header claims is believed only as far as the file reaches.
+  const auto here = file.tellg();
+  const auto left = file.seekg(0, std::ios::end).tellg() - here;
+  file.seekg(here);
+  if (size_px.x > 0 && size_px.y > 0 && left / 4 / size_px.x < size_px.y) {
+    throw Error(ErrorKind::bad_input, "%s: expected %d x %d pixels of 4 bytes, found %lld bytes", path.c_str(),
+                size_px.x, size_px.y, static_cast<long long>(left));
   }
   Image image = make_image(size_px, ColorFormat::rgba8, {.color = true, .depth = false, .ids = false});
   const auto n_bytes = static_cast<std::streamsize>(image.rgba8.size() * sizeof(glm::u8vec4));
-  if (!file.read(reinterpret_cast<char*>(image.rgba8.data()), n_bytes) && n_bytes > 0) {
-    throw Error(ErrorKind::bad_input, "%s: expected %lld bytes of pixels, found %lld", path.c_str(),
-                static_cast<long long>(n_bytes), static_cast<long long>(file.gcount()));
+  if (n_bytes > 0 && !file.read(reinterpret_cast<char*>(image.rgba8.data()), n_bytes)) {
+    throw Error(ErrorKind::bad_input, "%s: cannot be read", path.c_str());
   }
   return image;
 }

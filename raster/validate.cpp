@@ -1,5 +1,6 @@
 #include "raster/validate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -19,10 +20,14 @@ const char* name_of(Topology topology) {
 
 std::size_t vertices_per_primitive(Topology topology) {
   switch (topology) {
-    case Topology::triangles: return 3;
-    case Topology::quads: return 4;
-    case Topology::lines: return 2;
-    default: return 1;
+    case Topology::triangles:
+      return 3;
+    case Topology::quads:
+      return 4;
+    case Topology::lines:
+      return 2;
+    default:
+      return 1;
   }
 }
 
@@ -56,7 +61,8 @@ void check_image(const Frame& frame, const Image& image) {
     throw Error(ErrorKind::bad_input, "image: the colour plane is not of the image's format");
   }
   if (frame.samples_fx8.empty() || frame.samples_fx8.size() > kMaxSamples) {
-    throw Error(ErrorKind::bad_input, "frame: %zu samples a pixel, expected 1 to %zu", frame.samples_fx8.size(), kMaxSamples);
+    throw Error(ErrorKind::bad_input, "frame: %zu samples a pixel, expected 1 to %zu", frame.samples_fx8.size(),
+                kMaxSamples);
   }
   for (const glm::ivec2 s : frame.samples_fx8) {
     if (s.x < 0 || s.y < 0 || s.x > 255 || s.y > 255) {
@@ -65,6 +71,16 @@ void check_image(const Frame& frame, const Image& image) {
   }
   if (frame.samples_fx8.size() > 1 && !(image.depth.empty() && image.ids.empty())) {
     throw Error(ErrorKind::bad_input, "image: depth and ids cannot be averaged; use one sample a pixel");
+  }
+}
+
+/// Each enumeration's last value; a number cast to it may be any other.
+void check_enumerations(const Draw& draw, std::size_t i) {
+  const bool known = draw.topology <= Topology::surfels && draw.cull <= Cull::front && draw.blend <= Blend::add &&
+                     draw.sampler.filter <= Filter::anisotropic && draw.sampler.wrap_u <= Wrap::border &&
+                     draw.sampler.wrap_v <= Wrap::border;
+  if (!known) {
+    throw Error(ErrorKind::bad_input, "draw %zu: topology, cull, blend, filter or wrap is none of its values", i);
   }
 }
 
@@ -77,6 +93,14 @@ void check_texture(const Draw& draw, std::size_t i, ColorFormat format) {
   }
   for (std::size_t l = 0; l < texture.levels.size(); ++l) {
     const TextureLevel& level = texture.levels[l];
+    if (l > 0) {
+      const glm::ivec2 above = texture.levels[l - 1].size_px,
+                       expected(std::max(1, above.x / 2), std::max(1, above.y / 2));
+      if (level.size_px != expected) {
+        throw Error(ErrorKind::bad_input, "draw %zu: texture level %zu is %d x %d, expected %d x %d", i, l,
+                    level.size_px.x, level.size_px.y, expected.x, expected.y);
+      }
+    }
     const bool sized = level.size_px.x >= 1 && level.size_px.y >= 1 && level.size_px.x <= kMaxTextureSize_px &&
                        level.size_px.y <= kMaxTextureSize_px;
     const std::size_t n = sized ? std::size_t(level.size_px.x) * std::size_t(level.size_px.y) : 0;
@@ -94,7 +118,8 @@ void check_attributes(const Draw& draw, std::size_t i) {
   const std::size_t n = position_count(draw);
   const auto check = [&](std::size_t size, const char* what, bool required) {
     if (size != n && (required || size != 0)) {
-      throw Error(ErrorKind::bad_input, "draw %zu: %zu %s, expected one for each of its %zu positions", i, size, what, n);
+      throw Error(ErrorKind::bad_input, "draw %zu: %zu %s, expected one for each of its %zu positions", i, size, what,
+                  n);
     }
   };
   check(draw.colors.size(), "colors", false);
@@ -127,8 +152,8 @@ void check_vertices(const Draw& draw, std::size_t i) {
     for (std::size_t k = 0; k < window->positions_px.size(); ++k) {
       const glm::dvec3& p = window->positions_px[k];
       if (std::abs(p.x) > kMaxTargetSize_px || std::abs(p.y) > kMaxTargetSize_px) {
-        throw Error(ErrorKind::bad_input, "draw %zu: position %zu (%g, %g) is beyond the guard band of +-%d px", i, k, p.x,
-                    p.y, kMaxTargetSize_px);
+        throw Error(ErrorKind::bad_input, "draw %zu: position %zu (%g, %g) is beyond the guard band of +-%d px", i, k,
+                    p.x, p.y, kMaxTargetSize_px);
       }
     }
   }
@@ -142,9 +167,7 @@ std::size_t position_count(const Draw& draw) {
   return std::get<WindowVertices>(draw.vertices).positions_px.size();
 }
 
-std::size_t vertex_count(const Draw& draw) {
-  return draw.indices ? draw.indices->size() : position_count(draw);
-}
+std::size_t vertex_count(const Draw& draw) { return draw.indices ? draw.indices->size() : position_count(draw); }
 
 std::size_t primitive_count(const Draw& draw) {
   const std::size_t n = vertex_count(draw);
@@ -167,6 +190,7 @@ void validate(const Frame& frame, const Image& image, const RenderOptions& optio
   if (frame.draws.size() > kMaxPrimitives) throw Error(ErrorKind::bad_input, "more than 2^32 - 2 draws");
   for (std::size_t i = 0; i < frame.draws.size(); ++i) {
     const Draw& draw = frame.draws[i];
+    check_enumerations(draw, i);
     check_attributes(draw, i);
     check_vertices(draw, i);
     if (draw.texture) check_texture(draw, i, image.format);

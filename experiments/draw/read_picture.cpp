@@ -9,6 +9,7 @@
 
 #include "experiments/draw/read_draw.h"
 #include "experiments/error.h"
+#include "experiments/sample_positions.h"
 #include "geometry/json/json_view.h"
 #include "geometry/json/parse_json.h"
 #include "raster/image.h"

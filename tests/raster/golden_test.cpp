@@ -88,9 +88,11 @@ TEST_F(Golden, ADamagedReferenceIsADifference) {
   const Image image = colors({5, 3});
   write_pam(image, "short.pam");
   std::filesystem::resize_file("short.pam", std::filesystem::file_size("short.pam") - 1);
-  EXPECT_THAT(compare_golden(image, "short.pam"), HasSubstr("expected 60 bytes of pixels, found 59"));
+  EXPECT_THAT(compare_golden(image, "short.pam"), HasSubstr("expected 5 x 3 pixels of 4 bytes, found 59 bytes"));
   std::ofstream("other.pam") << "P6\n5 3\n255\n";
   EXPECT_THAT(compare_golden(image, "other.pam"), HasSubstr("expected a PAM file"));
+  std::ofstream("huge.pam") << "P7\nWIDTH 32768\nHEIGHT 32768\nDEPTH 4\nMAXVAL 255\nENDHDR\n";  // 4 GiB, it says
+  EXPECT_THAT(compare_golden(image, "huge.pam"), HasSubstr("expected 32768 x 32768 pixels of 4 bytes, found 0 bytes"));
   std::ofstream("negative.pam") << "P7\nWIDTH -5\nHEIGHT 3\nDEPTH 4\nMAXVAL 255\nENDHDR\n";
   EXPECT_THAT(compare_golden(image, "negative.pam"), HasSubstr("image size -5 x 3"));
 }

@@ -264,6 +264,13 @@ TEST(Refusals, OfTexturesThatCannotBeRead) {
     textured(scene, broken);
     expect_refused(scene, "draw 1: texture level 0 does not hold its -3 x -2 texels");
   }
+  {
+    SmallScene scene = good_scene();
+    Texture broken = make_raw_texture({3, 2}, bytes, Mips::none);
+    broken.levels.push_back(broken.levels[0]);
+    textured(scene, broken);
+    expect_refused(scene, "draw 1: texture level 1 is 3 x 2, expected 1 x 1");
+  }
   for (const int anisotropy : {0, -1, 17}) {
     SmallScene scene = good_scene();
     const Texture good = make_raw_texture({3, 2}, bytes, Mips::none);
@@ -272,6 +279,21 @@ TEST(Refusals, OfTexturesThatCannotBeRead) {
     const std::string message = "draw 1: max_anisotropy " + std::to_string(anisotropy) + ", expected 1 to 16";
     expect_refused(scene, message.c_str());
   }
+}
+
+TEST(Refusals, OfNumbersThatAreNoValuesOfTheirEnumerations) {
+  const auto broken = [](auto change) {
+    SmallScene scene = good_scene();
+    scene.rect({0, 0}, {1, 1}, 0.5, kRed);
+    change(scene.draws.back());
+    expect_refused(scene, "draw 1: topology, cull, blend, filter or wrap is none of its values");
+  };
+  broken([](Draw& draw) { draw.topology = Topology(7); });
+  broken([](Draw& draw) { draw.cull = Cull(3); });
+  broken([](Draw& draw) { draw.blend = Blend(255); });
+  broken([](Draw& draw) { draw.sampler.filter = Filter(4); });
+  broken([](Draw& draw) { draw.sampler.wrap_u = Wrap(4); });
+  broken([](Draw& draw) { draw.sampler.wrap_v = Wrap(4); });
 }
 
 }  // namespace
