@@ -34,6 +34,9 @@ class WholeFile {
 /// pointers are skipped. A signal that arrives meanwhile waits. Throws Error (machine_failed).
 void publish(std::initializer_list<WholeFile*> files);
 
+/// Whether the signals above also clear the line that standard error's cursor is in (progress is shown there).
+void clear_terminal_line_on_signals(bool clear) noexcept;
+
 /// Handles the signals above, where they are not ignored, until the process ends; SIGXFSZ (file too large)
 /// becomes an ordinary write error. Called once, by the program.
 void remove_temporary_files_on_signals();

@@ -45,8 +45,9 @@ door 'hwy/' 'raster/'
 door 'boost/' '(raster/|geometry/predicates)'
 door 'embree' 'geometry/ray_query'
 door 'OpenImageIO/' 'geometry/image_file'
-door 'assimp/' 'geometry/model_file'
-door '(CLI|nlohmann|openssl)/' 'experiments/'
+door 'png\.h' 'geometry/image_file/decode_png'
+door 'nlohmann/' '(geometry/json/|geometry/model_file/|experiments/)'
+door '(CLI|openssl)/' 'experiments/'
 door '(gtest|gmock|benchmark|gmp|gmpxx|mpfr)[./]' 'tests/'
 
 # ---- What the pages name exists ----

@@ -1,13 +1,14 @@
-#include "experiments/draw/json_view.h"
+#include "geometry/json/json_view.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/error.h"
+#include "geometry/error.h"
+#include "geometry/shortened.h"
 
-namespace lode::experiments {
+namespace lode::geometry {
 namespace {
 
 using nlohmann::json;
@@ -35,7 +36,7 @@ std::string JsonView::path() const {
 
 void JsonView::fail(std::string_view what) const {
   const std::string place = path();
-  throw Error(Status::bad_input, name_ + ": " + place + (place.empty() ? "" : ": ") + std::string(what));
+  throw Error(ErrorKind::bad_input, name_ + ": " + place + (place.empty() ? "" : ": ") + std::string(what));
 }
 
 void JsonView::fail_expected(std::string_view expected) const {
@@ -113,4 +114,4 @@ glm::vec4 JsonView::color() const {
   return color;
 }
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry

@@ -1,13 +1,14 @@
-#include "experiments/draw/parse_json.h"
+#include "geometry/json/parse_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
-#include "experiments/error.h"
+#include "geometry/error.h"
+#include "geometry/shortened.h"
 
-namespace lode::experiments {
+namespace lode::geometry {
 namespace {
 
 using nlohmann::json;
@@ -95,7 +96,7 @@ class DocumentBuilder {
     return path.empty() ? "the document" : path;
   }
 
-  [[noreturn]] void fail(const std::string& what) const { throw Error(Status::bad_input, name_ + ": " + what); }
+  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorKind::bad_input, name_ + ": " + what); }
 
   std::string_view text_;
   const std::string& name_;
@@ -112,12 +113,12 @@ json parse_json(std::string_view text, const std::string& name) {
     const std::string_view before = text.substr(0, nul);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t column = nul - (before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1) + 1;
-    throw Error(Status::bad_input, name + ": line " + std::to_string(line) + ", column " + std::to_string(column) +
-                                       ": a NUL byte: expected JSON text");
+    throw Error(ErrorKind::bad_input, name + ": line " + std::to_string(line) + ", column " + std::to_string(column) +
+                                          ": a NUL byte: expected JSON text");
   }
   DocumentBuilder builder(text, name);
-  if (!json::sax_parse(text.begin(), text.end(), &builder)) throw Error(Status::bad_input, name + ": not JSON");
+  if (!json::sax_parse(text.begin(), text.end(), &builder)) throw Error(ErrorKind::bad_input, name + ": not JSON");
   return std::move(builder.document);
 }
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace lode::experiments {
+namespace lode::geometry {
 
 /// Views point to their parents: keep the parent alive while a child is used.
 class JsonView {
@@ -60,4 +60,4 @@ class JsonView {
   std::size_t index_ = 0;  ///< within the parent, if that is an array
 };
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace lode::experiments {
+namespace lode::geometry {
 
 /// Deepest nesting accepted. A picture has six levels: {draws: [{discs: [{center: [x]}]}]}.
 inline constexpr int kMaxJsonDepth = 32;
@@ -15,4 +15,4 @@ inline constexpr int kMaxJsonDepth = 32;
 /// The document. `name` is what errors call the text. Throws Error (bad_input).
 [[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::string& name);
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry

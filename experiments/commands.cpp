@@ -1,0 +1,9 @@
+#include "experiments/command.h"
+#include "experiments/draw/draw_command.h"
+#include "experiments/render/render_command.h"
+
+namespace lode::experiments {
+
+std::vector<Command> all_commands() { return {draw_command(), render_command()}; }
+
+}  // namespace lode::experiments
