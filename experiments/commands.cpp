@@ -1,9 +1,10 @@
 #include "experiments/command.h"
 #include "experiments/draw/draw_command.h"
 #include "experiments/render/render_command.h"
+#include "experiments/truth/truth_command.h"
 
 namespace lode::experiments {
 
-std::vector<Command> all_commands() { return {draw_command(), render_command()}; }
+std::vector<Command> all_commands() { return {draw_command(), render_command(), truth_command()}; }
 
 }  // namespace lode::experiments

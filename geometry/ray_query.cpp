@@ -11,7 +11,7 @@
 #endif
 
 #include <algorithm>
-#include <atomic>
+#include <cmath>
 #include <mutex>
 #include <new>
 #include <string>
@@ -123,6 +123,14 @@ void filter(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+/// Whether Embree takes the ray: some builds of it stop the program at one that it does not.
+bool takes(const Ray& ray) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(ray.origin[i]) <= 1e18f && std::abs(ray.direction[i]) <= 1e18f)) return false;
+  }
+  return ray.t_near >= 0.0f && ray.t_near <= ray.t_far && ray.direction != glm::vec3(0.0f);
+}
+
 void set_ray(const Ray& from, RTCRay& to) {
   to.org_x = from.origin.x;
   to.org_y = from.origin.y;
@@ -212,6 +220,7 @@ RayScene::RayScene(std::span<const RayInstance> instances, int threads, const st
 RayScene::~RayScene() = default;
 
 std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
+  if (!takes(ray)) return std::nullopt;
   const DefaultFloatingPoint scope;
   Context context;
   RTCRayHit query;
@@ -231,8 +240,9 @@ std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
 }
 
 void RayScene::all(const Ray& ray, std::vector<RayHit>& hits) const {
-  const DefaultFloatingPoint scope;
   hits.clear();
+  if (!takes(ray)) return;
+  const DefaultFloatingPoint scope;
   Context context;
   context.hits = &hits;
   RTCRayHit query;
@@ -256,6 +266,7 @@ void RayScene::all(const Ray& ray, std::vector<RayHit>& hits) const {
 }
 
 bool RayScene::occluded(const Ray& ray) const {
+  if (!takes(ray)) return false;
   const DefaultFloatingPoint scope;
   Context context;
   RTCRay query;

@@ -31,7 +31,8 @@ struct RayInstance {
   std::uint32_t mask = 1;  ///< a ray meets it if the two masks share a bit
 };
 
-/// Points origin + t·direction with t_near ≤ t ≤ t_far. All finite but t_far; direction of any length but 0.
+/// Points origin + t·direction with t_near ≤ t ≤ t_far; direction of any length. t_near ≥ 0, coordinates within ±10^18:
+/// a ray that is none of that, or whose t_far is below t_near, hits nothing.
 struct Ray {
   glm::vec3 origin{0.0f};
   glm::vec3 direction{0.0f, 0.0f, -1.0f};

@@ -10,9 +10,9 @@ constexpr double kGuard_px = 32768.0;  // C1
 constexpr double kMinW = 0x1p-149;     // smallest w kept (C4)
 
 struct Side {
-  bool all_inside = true;         ///< every corner, for certain, of every plane
-  bool near_or_far_cut = false;   ///< some corner is not certainly inside the near or the far plane
-  bool all_outside_one = false;   ///< every corner, for certain, outside one of the planes
+  bool all_inside = true;        ///< every corner, for certain, of every plane
+  bool near_or_far_cut = false;  ///< some corner is not certainly inside the near or the far plane
+  bool all_outside_one = false;  ///< every corner, for certain, outside one of the planes
 };
 
 /// Where the corners lie: distances to the planes as the polygon has them, scaled to pixels for the guard band.
@@ -60,9 +60,9 @@ Polygon projected(const std::array<ClipCorner, 3>& corners, glm::dvec2 half_px) 
     const auto error_of = [&](double quotient, double error) {
       return 1.001 * ((error + std::abs(quotient) * c.error.w) / w_least + 4.0 * kRoundoff * std::abs(quotient));
     };
-    polygon.error_px = std::max({polygon.error_px,
-                                 half_px.x * (error_of(x, c.error.x) + 4.0 * kRoundoff * (1.0 + std::abs(x))),
-                                 half_px.y * (error_of(y, c.error.y) + 4.0 * kRoundoff * (1.0 + std::abs(y)))});
+    polygon.error_px =
+        std::max({polygon.error_px, half_px.x * (error_of(x, c.error.x) + 4.0 * kRoundoff * (1.0 + std::abs(x))),
+                  half_px.y * (error_of(y, c.error.y) + 4.0 * kRoundoff * (1.0 + std::abs(y)))});
     polygon.error_z = std::max(polygon.error_z, 2.0 * error_of(z, c.error.z));  // this file's and the renderer's
   }
   return polygon;
@@ -204,6 +204,26 @@ Judgement judge(const PreparedTriangle& t, glm::dvec2 sample_px) {
   Judgement judgement = judge_coverage(t, sample_px);
   if (judgement.coverage != Coverage::out) judgement.depth = judge_depth(t, sample_px);
   return judgement;
+}
+
+bool surely_has_depth(const PreparedTriangle& t, glm::dvec2 s, float z) {
+  if (t.outer.n != 3 || t.two_polygons) return false;
+  const Vertex &a = t.outer.v[0], &b = t.outer.v[1], &c = t.outer.v[2];
+  const double bx = b.x_px - a.x_px, by = b.y_px - a.y_px, cx = c.x_px - a.x_px, cy = c.y_px - a.y_px;
+  const double area = bx * cy - by * cx;
+  const double size = std::max(
+      {std::abs(bx), std::abs(by), std::abs(cx), std::abs(cy), std::abs(s.x - a.x_px), std::abs(s.y - a.y_px), 1.0});
+  const double error_area = 16.0 * (t.outer.error_px + kRoundoff * size) * size;
+  if (!(std::abs(area) > 1024.0 * error_area)) return false;
+  const double dz_b = b.z - a.z, dz_c = c.z - a.z;
+  const double z_x = (dz_b * cy - dz_c * by) / area, z_y = (dz_c * bx - dz_b * cx) / area;
+  const double here = a.z + z_x * (s.x - a.x_px) + z_y * (s.y - a.y_px);
+  // A slope is at most (|dz_b| + |dz_c|)·size / area, with the area's relative error, and is used over at most `size`.
+  const double most = (std::abs(dz_b) + std::abs(dz_c)) * size * size / std::abs(area);
+  const double error = 8.0 * most * error_area / std::abs(area) + 64.0 * kRoundoff * (std::abs(here) + std::abs(a.z));
+  const double half = kSnap_px * (std::abs(z_x) + std::abs(z_y)) - error;
+  const double z_low = std::min({a.z, b.z, c.z}), z_high = std::max({a.z, b.z, c.z});
+  return here - half <= z && z <= here + half && z_low <= z && z <= z_high;
 }
 
 ExactSample exact_sample(const SourceTriangle& triangle, glm::ivec2 size_px, glm::dvec2 sample_px) {

@@ -1,13 +1,13 @@
 #pragma once
 /// Whether a sample is covered however the vertices are snapped.
 ///
-/// C1 lets every projected vertex, cut ones too, be placed anywhere within kSnap_px of its exact place on each axis. The
-/// winding number of the outline around the sample is constant as long as no edge passes over the sample; so the exact
-/// answer is everybody's answer unless some edge can. The places that an edge can reach, both its ends free in their
-/// squares, are the union of the segments between two equal squares: the Minkowski sum of the segment and a square,
-/// a convex hexagon. The sample lies in it where the segment meets the square around the sample, and for a segment and
-/// a box there are three separating directions: x, y and across the edge. So: a pass is possible where, for a sample s
-/// and an edge from a to b, with h = kSnap_px,
+/// C1 lets every projected vertex, cut ones too, be placed anywhere within kSnap_px of its exact place on each axis.
+/// The winding number of the outline around the sample is constant as long as no edge passes over the sample; so the
+/// exact answer is everybody's answer unless some edge can. The places that an edge can reach, both its ends free in
+/// their squares, are the union of the segments between two equal squares: the Minkowski sum of the segment and a
+/// square, a convex hexagon. The sample lies in it where the segment meets the square around the sample, and for a
+/// segment and a box there are three separating directions: x, y and across the edge. So: a pass is possible where, for
+/// a sample s and an edge from a to b, with h = kSnap_px,
 ///
 ///   min(aₓ, bₓ) − h ≤ sₓ ≤ max(aₓ, bₓ) + h, the same for y, and |(b − a) × (s − a)| ≤ h·(|bₓ − aₓ| + |b_y − a_y|)
 ///

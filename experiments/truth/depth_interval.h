@@ -1,12 +1,12 @@
 #pragma once
 /// Which depths a renderer may give a sample of a triangle, over all placements of its vertices.
 ///
-/// The depth at a sample s is z = Σ Eᵢzᵢ / Σ Eᵢ, Eᵢ twice the area of (s, the other two vertices). In any one coordinate
-/// of any one vertex, Eᵢ and the sum are linear, so z is a quotient of two linear functions: monotone as long as the sum,
-/// twice the area of the placed triangle, does not vanish. The area is multilinear in the six coordinates, so it keeps
-/// its sign over all placements if it does at the 2⁶ corners, and then z takes its extremes over all placements at
-/// corners, too: coordinate by coordinate, one of the two ends is at least as good. Where the area can vanish, z is all
-/// that the rule of C5 leaves, which clamps it to its vertices' range.
+/// The depth at a sample s is z = Σ Eᵢzᵢ / Σ Eᵢ, Eᵢ twice the area of (s, the other two vertices). In any one
+/// coordinate of any one vertex, Eᵢ and the sum are linear, so z is a quotient of two linear functions: monotone as
+/// long as the sum, twice the area of the placed triangle, does not vanish. The area is multilinear in the six
+/// coordinates, so it keeps its sign over all placements if it does at the 2⁶ corners, and then z takes its extremes
+/// over all placements at corners, too: coordinate by coordinate, one of the two ends is at least as good. Where the
+/// area can vanish, z is all that the rule of C5 leaves, which clamps it to its vertices' range.
 
 #include <array>
 #include <optional>
@@ -16,8 +16,8 @@
 
 namespace lode::experiments::truth {
 
-/// Depths low ≤ z ≤ high before the one rounding to float; rounded outwards, and with what the renderer's own arithmetic
-/// in double may be off.
+/// Depths low ≤ z ≤ high before the one rounding to float; rounded outwards, and with what the renderer's own
+/// arithmetic in double may be off.
 struct DepthInterval {
   double low = 0.0;
   double high = 0.0;

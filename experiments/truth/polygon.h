@@ -1,10 +1,11 @@
 #pragma once
 /// What is left of a triangle after clipping, on the screen: once in exact rationals, once in double with a bound.
 ///
-/// A triangle is clipped to z ≤ w (near), w ≥ 2^-149, z ≥ 0 (far; with an infinite far plane nothing lies beyond) and to
-/// the guard band of ±2^23/256 px, in the renderer's order (C4, Sutherland & Hodgman). Which side of a near or far plane
-/// the renderer sees a corner on is certain only up to its rounding of M·p. So these planes can be moved by that bound:
-/// outwards (`Planes::outer`: all that the renderer can keep) and inwards (`Planes::inner`: what it keeps in any case).
+/// A triangle is clipped to z ≤ w (near), w ≥ 2^-149, z ≥ 0 (far; with an infinite far plane nothing lies beyond) and
+/// to the guard band of ±2^23/256 px, in the renderer's order (C4, Sutherland & Hodgman). Which side of a near or far
+/// plane the renderer sees a corner on is certain only up to its rounding of M·p. So these planes can be moved by that
+/// bound: outwards (`Planes::outer`: all that the renderer can keep) and inwards (`Planes::inner`: what it keeps in any
+/// case).
 
 #include <array>
 #include <cstdint>
@@ -22,9 +23,9 @@ enum class EdgeKind : std::uint8_t { outline, near_or_far, guard };
 enum class Planes : std::uint8_t { exact, outer, inner };
 
 struct ExactVertex {
-  Rational x_px, y_px;  ///< window: y down
-  Rational z;           ///< depth: 1 near, 0 far
-  double w = 1.0;       ///< of the clip-space vertex, rounded
+  Rational x_px, y_px;                ///< window: y down
+  Rational z;                         ///< depth: 1 near, 0 far
+  double w = 1.0;                     ///< of the clip-space vertex, rounded
   EdgeKind edge = EdgeKind::outline;  ///< from this vertex to the next
 };
 /// Convex; no two neighbours coincide in place and depth; empty where nothing is left; it may have no area.

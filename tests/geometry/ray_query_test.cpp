@@ -207,6 +207,37 @@ TEST(RayQuery, AnEmptySceneIsMissedByAll) {
   EXPECT_FALSE(no_triangles.occluded(down_z(1.0f)));
 }
 
+TEST(RayQuery, RaysThatAreNoneHitNothing) {
+  const RayInstance instance{kTriangle, kCorners};
+  const RayScene scene({&instance, 1});
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
+  std::vector<Ray> rays(6, down_z(1.0f));
+  rays[0].direction = {0.0f, 0.0f, 0.0f};
+  rays[1].direction.z = kNan;
+  rays[2].origin.x = kInf;
+  rays[3].t_near = -1.0f;
+  rays[4].t_far = kNan;
+  rays[5].t_near = 3e38f;
+  rays[5].t_far = 2e38f;
+  for (const Ray& ray : rays) {
+    std::vector<RayHit> hits(1);
+    scene.all(ray, hits);
+    EXPECT_TRUE(hits.empty());
+    EXPECT_FALSE(scene.nearest(ray).has_value());
+    EXPECT_FALSE(scene.occluded(ray));
+  }
+}
+
+TEST(RayQuery, VerticesThatAreNotFiniteSpoilTheirTrianglesAlone) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<glm::vec3> positions = kTriangle;
+  positions.insert(positions.end(), {{-1, -1, 0.5f}, {1, -1, kNan}, {0, 1, 0.5f}});
+  const std::vector<std::uint32_t> indices = {3, 4, 5, 0, 1, 2};
+  const RayInstance instance{positions, indices};
+  const RayScene scene({&instance, 1});
+  EXPECT_EQ(scene.nearest(down_z(1.0f))->primitive, 1u);
+}
+
 TEST(RayQuery, ReportsProgressUpToAll) {
   const Mesh ball = sphere({0.0, 0.0, 0.0}, 1.0, 200, 100);
   const RayInstance instance{ball.positions, ball.indices};
