@@ -3,9 +3,12 @@
 #include "experiments/draw/draw_command.h"
 #include "experiments/list/list_command.h"
 #include "experiments/render/render_command.h"
+#include "experiments/truth/truth_command.h"
 
 namespace lode::experiments {
 
-std::vector<Command> all_commands() { return {draw_command(), render_command(), compare_command(), list_command()}; }
+std::vector<Command> all_commands() {
+  return {list_command(), render_command(), draw_command(), truth_command(), compare_command()};
+}
 
 }  // namespace lode::experiments
