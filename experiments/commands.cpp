@@ -4,11 +4,12 @@
 #include "experiments/explain/explain_command.h"
 #include "experiments/list/list_command.h"
 #include "experiments/render/render_command.h"
+#include "experiments/truth/truth_command.h"
 
 namespace lode::experiments {
 
 std::vector<Command> all_commands() {
-  return {draw_command(), render_command(), explain_command(), compare_command(), list_command()};
+  return {list_command(), render_command(), draw_command(), truth_command(), explain_command(), compare_command()};
 }
 
 }  // namespace lode::experiments
