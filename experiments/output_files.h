@@ -18,8 +18,8 @@ namespace lode::experiments {
 
 /// Paths as they stand on the command line.
 struct OutputPaths {
-  std::optional<std::string> out, depth, ids;  ///< image files
-  std::optional<std::string> stats;            ///< a path, or "-" for standard output
+  std::optional<std::string> out{}, depth{}, ids{};  ///< image files
+  std::optional<std::string> stats{};                ///< a path, or "-" for standard output
 };
 
 void add_output_options(CLI::App& app, OutputPaths& paths, const std::string& stats_help);

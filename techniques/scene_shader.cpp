@@ -59,9 +59,12 @@ glm::mat3 world_from_normal(const glm::dmat4& world_from_object) {
   // columns are scaled first, which scales the cofactors and keeps them from overflowing.
   double largest = 0.0;
   for (const glm::dvec3& column : {x, y, z}) {
-    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(column[row]));
+    for (int row = 0; row < 3; ++row) {
+      if (!std::isfinite(column[row])) return glm::mat3(0.0f);
+      largest = std::max(largest, std::abs(column[row]));
+    }
   }
-  if (!(largest > 0.0) || !std::isfinite(largest)) return glm::mat3(0.0f);
+  if (!(largest > 0.0)) return glm::mat3(0.0f);
   const glm::dvec3 a = x / largest, b = y / largest, c = z / largest;
   const glm::dmat3 cofactors(glm::cross(b, c), glm::cross(c, a), glm::cross(a, b));
   const double sign = glm::dot(a, cofactors[0]) < 0.0 ? -1.0 : 1.0;

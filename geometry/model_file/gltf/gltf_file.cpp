@@ -1,0 +1,89 @@
+#include "geometry/model_file/gltf/gltf_file.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/model_file/gltf/gltf_document.h"
+#include "geometry/model_file/gltf/gltf_material.h"
+#include "geometry/model_file/gltf/gltf_mesh.h"
+#include "geometry/model_file/gltf/gltf_node.h"
+
+namespace lode::geometry {
+namespace {
+
+class SceneReader {
+ public:
+  explicit SceneReader(ModelFiles& files) : document_(files) { scene_.name = files.model_path(); }
+
+  Scene read() {
+    uv_sources_ = read_materials(document_, scene_);
+    for (const PlacedNode& placed : placed_nodes(document_)) add_node(placed);
+    return std::move(scene_);
+  }
+
+ private:
+  void add_node(const PlacedNode& placed) {
+    const auto index = std::uint32_t(scene_.nodes.size());
+    const JsonView view = document_.element("nodes", placed.node);
+    Node node;
+    if (const auto name = view.find("name")) node.name = name->string();
+    if (placed.parent != index) node.parent = placed.parent;
+    node.parent_from_node = placed.parent_from_node;
+    node.world_from_node = placed.world_from_node;
+    scene_.nodes.push_back(node);
+    if (const auto mesh = view.find("mesh")) add_instances(*mesh, index);
+    if (const auto camera = view.find("camera")) add_camera(*camera, node);
+  }
+
+  void add_instances(const JsonView& reference, std::uint32_t node) {
+    const Range meshes = mesh(reference);
+    document_.files().budget.take(2 * meshes.count * sizeof(Instance), reference.place());
+    for (std::uint32_t i = 0; i < meshes.count; ++i) {
+      scene_.instances.push_back({meshes.first + i, node, scene_.nodes[node].world_from_node});
+    }
+  }
+
+  void add_camera(const JsonView& reference, const Node& node) {
+    SceneCamera camera{node.name, read_camera(document_, reference, node.world_from_node)};
+    const JsonView view = document_.target(reference, "cameras");
+    const auto name = view.find("name");
+    if (camera.name.empty() && name) camera.name = name->string();
+    scene_.cameras.push_back(std::move(camera));
+  }
+
+  /// Meshes of the scene that the primitives of one of the file's meshes became.
+  struct Range {
+    std::uint32_t first, count;
+  };
+
+  Range mesh(const JsonView& reference) {
+    const std::size_t index = reference.index(document_.count("meshes"), "meshes");
+    const auto known = meshes_.find(index);
+    if (known != meshes_.end()) return known->second;
+
+    const JsonView view = document_.element("meshes", index);
+    const JsonView primitives = view.require("primitives");
+    const Range range{std::uint32_t(scene_.meshes.size()), std::uint32_t(primitives.size("an array of primitives"))};
+    for (std::uint32_t i = 0; i < range.count; ++i) {
+      scene_.meshes.push_back(read_primitive(document_, primitives.at(i), scene_, uv_sources_));
+    }
+    meshes_.emplace(index, range);
+    return range;
+  }
+
+  GltfDocument document_;
+  Scene scene_;
+  std::vector<std::optional<UvSource>> uv_sources_;
+  std::map<std::size_t, Range> meshes_;
+};
+
+}  // namespace
+
+Scene read_gltf(const std::string& path) {
+  ModelFiles files(path);
+  return SceneReader(files).read();
+}
+
+}  // namespace lode::geometry

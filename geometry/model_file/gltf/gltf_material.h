@@ -1,0 +1,25 @@
+#pragma once
+/// Materials, textures, samplers and images of a glTF file: glTF 2.0, sec. 3.8 and 3.9. Of a material what Material
+/// holds; of its textures that of the base colour, whose picture is decoded.
+
+#include <cstddef>
+#include <glm/mat3x2.hpp>
+#include <optional>
+#include <vector>
+
+#include "geometry/model_file/gltf/gltf_document.h"
+#include "geometry/scene.h"
+
+namespace lode::geometry {
+
+/// Where a material's texture coordinates come from.
+struct UvSource {
+  std::size_t set = 0;                      ///< of TEXCOORD_0, TEXCOORD_1, ...
+  std::optional<glm::dmat3x2> uv_from_set;  ///< (u, v) = matrix · (s, t, 1), by KHR_texture_transform
+};
+
+/// Adds all materials, in the file's order, and the pictures that they use, in the order of their first use, to the
+/// scene. Returns where each material's coordinates come from, nothing for one without a texture.
+[[nodiscard]] std::vector<std::optional<UvSource>> read_materials(GltfDocument& document, Scene& scene);
+
+}  // namespace lode::geometry
