@@ -57,7 +57,7 @@ ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::
   const SolidDraws solid = solid_draws(scene_draws.scene(), all);
   const raster::Image image = rasterize(solid.draws, size_px, threads, on_pixels);
 
-  const CameraRays rays(solid.traced(), camera, size_px, bounds, threads);
+  const CameraRays rays(solid.traced(), camera, size_px, bounds);
   std::vector<raster::Ids> ray_ids;
   {
     Share share(on_pixels, area(size_px) / 4, std::size_t(size_px.y));

@@ -92,7 +92,7 @@ VisibleEdges visible_edges(glm::ivec2 size_px, std::span<const raster::Ids> ids,
                          [&](std::size_t i, int) { crossings[i] = crossings_in(fine[i], grid, ids_at); });
     std::uint64_t sum = 0;
     for (const std::uint64_t n : crossings) sum += n;
-    edges = {std::max(edges.length_px, length_of(sum, grid)), grid};
+    edges = {length_of(sum, grid), grid};
   }
   return edges;
 }
