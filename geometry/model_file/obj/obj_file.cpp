@@ -39,6 +39,7 @@ class ObjReader {
     // A node's meshes are together, in the order of their first elements.
     std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.node < b.node; });
     for (const Part& part : parts_) add_part(part);
+    materials_.read_pictures();
     return std::move(scene_);
   }
 
