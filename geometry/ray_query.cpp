@@ -193,10 +193,10 @@ struct RayScene::Tree {
   Scene scene;
 };
 
-RayScene::RayScene(std::span<const RayInstance> instances, int threads, const std::function<void(double)>& progress)
+RayScene::RayScene(std::span<const RayInstance> instances, const std::function<void(double)>& progress)
     : tree_(std::make_unique<Tree>()) {
   const DefaultFloatingPoint scope;
-  tree_->device.reset(rtcNewDevice(("threads=" + std::to_string(std::max(threads, 0))).c_str()));
+  tree_->device.reset(rtcNewDevice(nullptr));
   if (!tree_->device) fail(rtcGetDeviceError(nullptr));
   const RTCDevice device = tree_->device.get();
   tree_->scene.reset(rtcNewScene(device));

@@ -52,11 +52,10 @@ struct RayHit {
 
 class RayScene {
  public:
-  /// Builds the tree over all instances. `threads` 0: one per processor. `progress`, if given, is called with 0…1
-  /// from time to time, from any thread, one call at a time.
+  /// Builds the tree over all instances, on all processors (Embree limits threads for the whole process or not at all).
+  /// `progress`, if given, is called with 0…1 from time to time, from any thread, one call at a time.
   /// Throws Error (machine) if Embree fails or runs out of memory.
-  explicit RayScene(std::span<const RayInstance> instances, int threads = 0,
-                    const std::function<void(double)>& progress = {});
+  explicit RayScene(std::span<const RayInstance> instances, const std::function<void(double)>& progress = {});
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;

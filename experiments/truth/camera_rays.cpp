@@ -35,7 +35,7 @@ geometry::RayCull ray_cull(raster::Cull cull) {
 }  // namespace
 
 CameraRays::CameraRays(std::span<const TracedDraw> draws, const geometry::Camera& camera, glm::ivec2 size_px,
-                       const geometry::Bounds& bounds, int threads, const std::function<void(double)>& progress)
+                       const geometry::Bounds& bounds, const std::function<void(double)>& progress)
     : camera_(camera), size_px_(size_px), start_(start_of(camera, bounds)) {
   glm::dmat4 query_from_world = geometry::camera_from_world(camera);
   query_from_world[3][2] += start_;  // z runs back, so that the plane at view distance `start` comes to z = 0
@@ -46,7 +46,7 @@ CameraRays::CameraRays(std::span<const TracedDraw> draws, const geometry::Camera
                          ray_cull(traced.draw->cull), traced.mask});
     draw_ids_.push_back(traced.draw->draw_id.value());
   }
-  scene_.emplace(instances, threads, progress);
+  scene_.emplace(instances, progress);
 }
 
 geometry::Ray CameraRays::ray(glm::dvec2 p_px, std::uint32_t mask) const {

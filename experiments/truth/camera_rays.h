@@ -30,7 +30,7 @@ class CameraRays {
  public:
   /// Builds the tree. `bounds` are the scene's, in the world. Throws geometry::Error (machine).
   CameraRays(std::span<const TracedDraw> draws, const geometry::Camera& camera, glm::ivec2 size_px,
-             const geometry::Bounds& bounds, int threads, const std::function<void(double)>& progress = {});
+             const geometry::Bounds& bounds, const std::function<void(double)>& progress = {});
 
   /// The ray through a point of the target (pixel centres are at ½), between near and far.
   [[nodiscard]] geometry::Ray ray(glm::dvec2 p_px, std::uint32_t mask = ~0u) const;

@@ -57,7 +57,7 @@ ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::
   const SolidDraws solid = solid_draws(scene_draws.scene(), all);
   const raster::Image image = rasterize(solid.draws, size_px, threads, on_pixels);
 
-  const CameraRays rays(solid.traced(), camera, size_px, bounds, threads);
+  const CameraRays rays(solid.traced(), camera, size_px, bounds);
   std::vector<raster::Ids> ray_ids;
   {
     Share share(on_pixels, area(size_px) / 4, std::size_t(size_px.y));
@@ -76,7 +76,7 @@ ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::
   for (std::size_t i = 0; i < view.picture.verdicts.size(); ++i) {
     if (view.picture.verdicts[i] == Verdict::edge) at_edges.emplace_back(i % size_px.x, i / size_px.x);
   }
-  const double enough_px = double(at_edges.size()) / kEdgeBand_px;
+  const double enough_px = (double(at_edges.size()) - 1.0) / kEdgeBand_px;  // above it, the bound holds
   view.edges = visible_edges(
       size_px, ray_ids, at_edges, enough_px, [&](glm::dvec2 p_px) { return rays.nearest(p_px); }, threads);
   return view;

@@ -1,6 +1,7 @@
 #pragma once
 /// One view of a scene by raster and by rays, compared pixel by pixel.
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 
@@ -18,9 +19,10 @@ struct ViewCheck {
   LeftOut left_out;
   VisibleEdges edges;  ///< as far as it took to show the bound, see visible_edges.h
 
-  /// At most this many samples are expected to be explained by edge: 2δ × visible edge length.
+  /// At most this many samples are expected to be explained by edge: 2δ × visible edge length. It holds for the whole
+  /// number that it is rounded up to.
   [[nodiscard]] double edge_bound() const { return kEdgeBand_px * edges.length_px; }
-  [[nodiscard]] bool edge_bound_holds() const { return double(picture.of(Verdict::edge)) <= edge_bound(); }
+  [[nodiscard]] bool edge_bound_holds() const { return double(picture.of(Verdict::edge)) <= std::ceil(edge_bound()); }
 };
 
 /// Renders, traces and compares. `on_pixels`, if given, is called from any thread with numbers that sum up to w·h, as

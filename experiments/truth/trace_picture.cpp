@@ -144,7 +144,7 @@ raster::Image trace_picture(const techniques::SceneDraws& scene_draws, const geo
     if (draws[i].topology != raster::Topology::triangles) continue;
     traced.push_back({&draws[i], scene_draws.scene().instances[i].world_from_object, mask_of(draws[i])});
   }
-  const CameraRays rays(traced, camera, request.size_px, bounds, threads);
+  const CameraRays rays(traced, camera, request.size_px, bounds);
   const PictureTracer tracer(draws, rays, request, image);
   raster::parallel_for(std::size_t(request.size_px.y), raster::worker_count(threads), [&](std::size_t y, int) {
     tracer.trace_row(int(y));

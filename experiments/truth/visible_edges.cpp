@@ -9,8 +9,6 @@
 namespace lode::experiments::truth {
 namespace {
 
-constexpr int kFinestGrid = 16;
-
 double length_of(std::uint64_t crossings, int grid) { return geometry::kPi / 4.0 * double(crossings) / double(grid); }
 
 class Pixels {
@@ -85,15 +83,16 @@ VisibleEdges visible_edges(glm::ivec2 size_px, std::span<const raster::Ids> ids,
                            double enough_px, const IdsAt& ids_at, int threads) {
   const Pixels pixels(size_px, ids);
   VisibleEdges edges{length_of(pixels.crossings(), 1), 1};
-  if (edges.length_px >= enough_px) return edges;
+  if (edges.length_px > enough_px) return edges;
   const std::vector<glm::ivec2> fine = pixels.near_edges(also);
-  for (int grid = 4; grid <= kFinestGrid && edges.length_px < enough_px; grid *= 2) {
+  const auto affordable = [&](int grid) { return fine.size() * std::uint64_t(grid) * grid <= kMaxEdgeRays; };
+  for (int grid = 4; !fine.empty() && affordable(grid) && edges.length_px <= enough_px; grid *= 2) {
     std::vector<std::uint64_t> crossings(fine.size());
     raster::parallel_for(fine.size(), raster::worker_count(threads),
                          [&](std::size_t i, int) { crossings[i] = crossings_in(fine[i], grid, ids_at); });
     std::uint64_t sum = 0;
     for (const std::uint64_t n : crossings) sum += n;
-    edges = {std::max(edges.length_px, length_of(sum, grid)), grid};
+    edges = {length_of(sum, grid), grid};
   }
   return edges;
 }

@@ -20,6 +20,8 @@ namespace lode::experiments::truth {
 
 inline constexpr double kEdgeBand_px = 2.0 * 0.70710678118654752 / 256.0;  ///< 2δ
 
+inline constexpr std::uint64_t kMaxEdgeRays = 1u << 22;
+
 struct VisibleEdges {
   double length_px = 0.0;
   int grid = 1;  ///< lines a pixel, a power of two: what it took to reach the length that was asked for, or the finest

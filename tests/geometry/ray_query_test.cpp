@@ -243,7 +243,7 @@ TEST(RayQuery, ReportsProgressUpToAll) {
   const RayInstance instance{ball.positions, ball.indices};
   std::atomic<int> n_calls = 0;
   double largest = 0.0;
-  const RayScene scene({&instance, 1}, 2, [&](double done) {
+  const RayScene scene({&instance, 1}, [&](double done) {
     ++n_calls;
     largest = std::max(largest, done);
   });
