@@ -45,7 +45,7 @@ Command render_command() {
           .footer = kFooter,
           .examples = {"lodestone render model.glb --out picture.png",
                        "lodestone render sphere:segments=200 --eye 3,2,4 --look-at 0,0,0 --fov 30 --out sphere.png",
-                       "lodestone render model.obj --camera 0 --size 512x512 --depth depth.exr --ids ids.npy",
+                       "lodestone render model.gltf --camera 0 --size 512x512 --depth depth.exr --ids ids.npy",
                        "lodestone render terrain --clear 0.5,0.7,0.9,1 --samples 16 --out terrain.png",
                        "lodestone render spheres --repeat 20 --orbit 5 --stats -"},
           .add_options = [options](CLI::App& app) { add_render_options(app, *options); },
