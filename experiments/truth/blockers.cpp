@@ -1,9 +1,11 @@
 #include "experiments/truth/blockers.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "raster/parallel.h"
 
@@ -45,13 +47,27 @@ class AnswerGrid {
   std::vector<std::size_t> row_;  ///< where a row's answers begin
 };
 
-/// Whether the triangle must have won where the answer stands. Its float depth is at least that of the low end.
-bool blocks(const PreparedTriangle& t, raster::Ids ids, const Answer& answer) {
-  const bool drawn = answer.ids.draw != raster::kNoId;
-  if (answer.ids == ids || (drawn && float(t.range.high) <= answer.depth)) return false;
+/// Whether two triangles have the same corners, in any order, under the same matrix.
+bool coincide(const SourceTriangle& a, const SourceTriangle& b) {
+  const auto& p = a.p_object;
+  std::array<int, 3> q = {0, 1, 2};
+  do {
+    const auto same = [&](std::size_t i) { return p[i] == b.p_object[std::size_t(q[i])]; };
+    if (same(0) && same(1) && same(2)) return *a.clip_from_object == *b.clip_from_object;
+  } while (std::next_permutation(q.begin(), q.end()));
+  return false;
+}
+
+/// Whether the triangle must have won where the answer, which may be of another triangle, stands. Its float depth is at
+/// least that of the low end.
+bool blocks(const PreparedTriangle& t, raster::Ids ids, const Answer& answer,
+            const std::optional<SourceTriangle>& answered) {
+  if (answer.ids == ids) return false;
+  const bool before = answered && key(ids) < key(answer.ids) && coincide(t.source, *answered);
+  if (answered && !before && float(t.range.high) <= answer.depth) return false;
   const glm::dvec2 sample = centre(answer.px);
   if (judge_coverage(t, sample).coverage != Coverage::in) return false;
-  return !drawn || float(judge_depth(t, sample).low) > answer.depth;
+  return !answered || before || float(judge_depth(t, sample).low) > answer.depth;
 }
 
 struct Step {
@@ -77,6 +93,8 @@ std::vector<raster::Ids> find_blockers(const TriangleTable& table, glm::ivec2 si
                                        int threads, const std::function<void()>& on_step) {
   const AnswerGrid grid(size_px, answers);
   std::vector<std::uint64_t> lowest(answers.size(), ~std::uint64_t{0});
+  std::vector<std::optional<SourceTriangle>> answered;
+  for (const Answer& answer : answers) answered.push_back(table.find(answer.ids));
   const std::vector<Step> steps = steps_of(table);
   raster::parallel_for(steps.size(), raster::worker_count(threads), [&](std::size_t s, int) {
     for (std::size_t i = steps[s].first; !answers.empty() && i < steps[s].end; ++i) {
@@ -90,7 +108,7 @@ std::vector<raster::Ids> find_blockers(const TriangleTable& table, glm::ivec2 si
         high = glm::max(high, p);
       }
       grid.for_each_in(low, high, [&](std::size_t a) {  // what it covers in every placement lies in its own bounds
-        if (!blocks(t, ids, answers[a])) return;
+        if (!blocks(t, ids, answers[a], answered[a])) return;
         std::atomic_ref<std::uint64_t> least(lowest[a]);
         std::uint64_t seen = least.load(std::memory_order_relaxed);
         while (key(ids) < seen && !least.compare_exchange_weak(seen, key(ids), std::memory_order_relaxed)) {

@@ -131,7 +131,9 @@ class Checker {
       check_.verdicts[at(px)] = Verdict::unexplained;
       why_[std::size_t(px.y)].push_back(
           {px.x, name_of(blockers[k]) + " covers it in every placement" +
-                     (answers[k].ids == kNothing ? "" : text_of(", nearer than %.9g", answers[k].depth, 0, 0))});
+                     (answers[k].ids == kNothing
+                          ? ""
+                          : text_of(", nearer than %.9g or the same with lower ids", answers[k].depth, 0, 0))});
     }
   }
 

@@ -3,15 +3,16 @@
 /// arithmetic, or it is a failure.
 ///
 /// The rasterizer's answer at a pixel is *possible* if its triangle covers the sample in some placement of its vertices
-/// (coverage.h), with a depth that some placement gives (depth_interval.h), and no other triangle covers it in every
-/// placement with a depth that is nearer in every placement. Nothing drawn is possible if no triangle covers the sample
-/// in every placement. An answer that is not possible is never explained, whatever the rays say; nor is one where both
-/// agree on the triangle and the depth is not possible.
+/// (coverage.h), with a depth that some placement gives (depth_interval.h), and no other triangle must have won: one
+/// that covers the sample in every placement, at a depth that is nearer in every placement, or with the same corners
+/// and lower ids (C6). Nothing drawn is possible if no triangle covers the sample in every placement. An answer that is
+/// not possible is never explained, whatever the rays say; nor is one where both agree on the triangle and the depth is
+/// not possible.
 ///
 /// A possible answer that differs from the rays' is explained by the first of these that holds:
 ///
 ///   edge        an outline of either triangle can pass over the sample
-///   depth_tie   both triangles may cover it, and their depths overlap
+///   depth_tie   both triangles may cover it, and their depths, as the floats of a picture, overlap
 ///   range       a cut at the near or far plane of either triangle can pass over the sample
 ///   embree      what is left: the rays' triangle is not there in any placement, or behind in every one, or the rays
 ///               missed what is there in every one. Placements include the exact one, so each of these proves that the

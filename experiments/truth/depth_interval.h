@@ -24,7 +24,10 @@ struct DepthInterval {
 
   /// Whether a float depth is one of them, rounded.
   [[nodiscard]] bool contains(float z) const { return float(low) <= z && z <= float(high); }
-  [[nodiscard]] bool overlaps(const DepthInterval& other) const { return low <= other.high && other.low <= high; }
+  /// Whether two triangles may have the same depth in a picture, or either be nearer.
+  [[nodiscard]] bool overlaps(const DepthInterval& other) const {
+    return float(low) <= float(other.high) && float(other.low) <= float(high);
+  }
   void include(const DepthInterval& other) {
     if (other.low < low) low = other.low;
     if (other.high > high) high = other.high;

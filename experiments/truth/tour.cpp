@@ -17,10 +17,13 @@ std::string text(double number) {
 
 std::string text(const glm::dvec3& p) { return text(p.x) + "," + text(p.y) + "," + text(p.z); }
 
+constexpr glm::dvec3 kUp{0.125, 1.0, 0.0625};  // rolled a little
+
 CameraOptions from_to(const glm::dvec3& eye, const glm::dvec3& target) {
   CameraOptions options;
   options.eye = text(eye);
   options.look_at = text(target);
+  options.up = text(kUp);
   return options;
 }
 
@@ -29,7 +32,7 @@ TourStop far_away(const glm::dvec3& centre, double d, glm::ivec2 size_px) {
   const double distance = 1000.0 * d;
   const glm::dvec3 eye = centre + distance * glm::normalize(glm::dvec3(0.4, 0.3, 1.0));
   geometry::Camera camera;
-  geometry::look_at(camera, eye, centre);
+  geometry::look_at(camera, eye, centre, kUp);
   const double half_px = distance * geometry::half_extent(camera, size_px).y / size_px.y;
   return {"far_away", from_to(eye, centre + half_px * (camera.right + camera.up))};
 }
@@ -50,7 +53,7 @@ std::vector<TourStop> tour(const geometry::Bounds& bounds, glm::ivec2 size_px) {
   stops.push_back({"diagonal_1", beside({1.0, 0.7, 1.1}, 1.2)});
   stops.push_back({"diagonal_2", beside({-1.3, -0.4, -0.8}, 1.2)});
   TourStop above{"above", beside({0.0, 1.0, 0.0}, 1.2)};
-  above.options.up = "0.31,0,-0.95";  // turned: symmetric models have edges that would run along the samples otherwise
+  above.options.up = "0.31,0,-0.95";
   stops.push_back(above);
   stops.push_back({"inside", from_to(centre, centre + d * glm::dvec3(0.3, -0.2, -1.0))});
   TourStop near_cut{"near_cut", beside({0.7, 0.5, 1.0}, 0.8)};

@@ -23,6 +23,9 @@ struct TourStop {
 ///   near_cut      from 0.8 d away with a near plane through the centre
 ///   far_away      a thousand d away: all of it within about a pixel, the centre on its sample
 ///   orthographic  from 1.2 d away
+///
+/// All are rolled a little: level, the edges of a box run along rows or columns of samples, where a single near miss
+/// counts some hundred times, and what edges explain could not be held against the edges' length.
 [[nodiscard]] std::vector<TourStop> tour(const geometry::Bounds& bounds, glm::ivec2 size_px);
 
 /// The words of a camera on the command line, each preceded by a space; empty for the default camera.

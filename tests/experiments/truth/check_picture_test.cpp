@@ -196,6 +196,10 @@ TEST(CheckPicture, CoincidentTrianglesTie) {
   const PictureCheck check = view.check();
   EXPECT_EQ(check.of(Verdict::unexplained), 0u);
   EXPECT_GE(check.of(Verdict::depth_tie), n_second);
+
+  // The other way round it is not: at equal depth the lower ids win.
+  std::swap(view.image.ids, view.ray_ids);
+  EXPECT_GE(view.check().of(Verdict::unexplained), n_second);
 }
 
 TEST(CheckPicture, NamesTheFirstTenInReadingOrder) {
