@@ -34,7 +34,7 @@ void add_output_options(CLI::App& app, OutputPaths& paths, const std::string& st
   app.add_option("--stats", paths.stats, stats_help)->option_text("F|-");
 }
 
-void check_output_paths(const OutputPaths& paths, const std::string& input) {
+void check_output_paths(const OutputPaths& paths, const std::string& input, const std::optional<std::string>& another) {
   check_ending("--out", paths.out, true);
   check_ending("--depth", paths.depth, false);
   check_ending("--ids", paths.ids, false);
@@ -51,7 +51,7 @@ void check_output_paths(const OutputPaths& paths, const std::string& input) {
     seen.push_back(resolved);
   };
   check(input);
-  for (const auto* path : {&paths.out, &paths.depth, &paths.ids, &paths.stats}) {
+  for (const auto* path : {&paths.out, &paths.depth, &paths.ids, &paths.stats, &another}) {
     if (*path) check(**path);
   }
 }
@@ -95,10 +95,10 @@ void OutputFiles::write_stats(const std::string& json, std::ostream& out) {
   }
 }
 
-void OutputFiles::publish(std::ostream& out) {
+void OutputFiles::publish(std::ostream& out, WholeFile* another) {
   out << std::flush;
   if (!out) throw Error(Status::machine_failed, "standard output: cannot be written");
-  experiments::publish({color_.get(), depth_.get(), ids_.get(), stats_ ? &*stats_ : nullptr});
+  experiments::publish({color_.get(), depth_.get(), ids_.get(), stats_ ? &*stats_ : nullptr, another});
 }
 
 void OutputFiles::open(const std::optional<std::string>& path, ImageOutput& output) {

@@ -18,15 +18,16 @@ namespace lode::experiments {
 
 /// Paths as they stand on the command line.
 struct OutputPaths {
-  std::optional<std::string> out, depth, ids;  ///< image files
-  std::optional<std::string> stats;            ///< a path, or "-" for standard output
+  std::optional<std::string> out{}, depth{}, ids{};  ///< image files
+  std::optional<std::string> stats{};                ///< a path, or "-" for standard output
 };
 
 void add_output_options(CLI::App& app, OutputPaths& paths, const std::string& stats_help);
 
 /// Throws Error (wrong_usage): an ending that cannot hold the picture, or a file that is named twice, `input` (what the
-/// command reads; "-" is standard input) included.
-void check_output_paths(const OutputPaths& paths, const std::string& input);
+/// command reads; "-" is standard input) and another file that it writes included.
+void check_output_paths(const OutputPaths& paths, const std::string& input,
+                        const std::optional<std::string>& another = {});
 
 class OutputFiles {
  public:
@@ -43,8 +44,9 @@ class OutputFiles {
   /// To its file, or as it is to `out`.
   void write_stats(const std::string& json, std::ostream& out);
 
-  /// All files appear. Throws Error (machine_failed) before any does where `out` could not take all that it was given.
-  void publish(std::ostream& out);
+  /// All files appear, `another` one with them. Throws Error (machine_failed) before any does where `out` could not
+  /// take all that it was given.
+  void publish(std::ostream& out, WholeFile* another = nullptr);
 
  private:
   struct ImageOutput {

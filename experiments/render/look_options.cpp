@@ -5,6 +5,7 @@
 
 #include "experiments/error.h"
 #include "experiments/option_values.h"
+#include "experiments/technique_list.h"
 #include "raster/srgb.h"
 
 namespace lode::experiments {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr std::string_view kShadings[] = {"material", "lambert", "unlit"};
 constexpr std::string_view kColorSpaces[] = {"srgb", "raw"};
-constexpr std::string_view kTechniques[] = {"plain"};
 
 glm::vec4 clear_color(const glm::dvec4& display, techniques::ColorSpace space) {
   if (space == techniques::ColorSpace::raw) return glm::vec4(255.0 * display);
@@ -23,18 +23,21 @@ glm::vec4 clear_color(const glm::dvec4& display, techniques::ColorSpace space) {
   return {linear(display.r), linear(display.g), linear(display.b), alpha};
 }
 
-/// Only the plain technique, which draws the scene as it is and has no parameters.
+/// None of the techniques has parameters.
 void check_technique(const std::string& text) {
   const std::string_view name = std::string_view(text).substr(0, text.find(':'));
-  static_cast<void>(read_choice("--technique", name, kTechniques));
-  if (name.size() < text.size()) fail_value("--technique", "plain, which has no parameters", text);
+  std::vector<std::string_view> names;
+  for (const TechniqueEntry& technique : technique_list()) names.push_back(technique.name);
+  static_cast<void>(read_choice("--technique", name, names));
+  if (name.size() < text.size()) fail_value("--technique", std::string(name) + ", which has no parameters", text);
 }
 
 }  // namespace
 
 void add_look_options(CLI::App& app, LookOptions& o) {
   app.add_option("--clear", o.clear, "Background, each 0 to 1 (default 0,0,0,0)")->option_text("R,G,B,A");
-  app.add_option("--shading", o.shading, "material (lit unless the material is unlit), lambert (all lit) or unlit")
+  app.add_option("--shading", o.shading,
+                 "material (default: lit unless the material is unlit), lambert (all lit) or unlit")
       ->option_text("NAME");
   app.add_option("--technique", o.technique, "What is drawn in which way (default plain: the scene as it is)")
       ->option_text("NAME[:k=v,...]");

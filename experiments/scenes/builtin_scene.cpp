@@ -20,13 +20,6 @@ std::string names_of(std::span<const Named> list) {
   return names;
 }
 
-std::string shown(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
-}
-
 std::string_view name_part(std::string_view text) { return text.substr(0, text.find(':')); }
 
 void read_parameter(std::string_view scene, const BuiltinScene& builtin, std::string_view word, SceneValues& values) {
@@ -36,7 +29,7 @@ void read_parameter(std::string_view scene, const BuiltinScene& builtin, std::st
   const auto parameter = std::find_if(known.begin(), known.end(), [&](const auto& p) { return p.name == key; });
   if (equals == std::string_view::npos || parameter == known.end()) {
     fail(scene, "\"" + shortened(word, 40) + "\": expected NAME=VALUE with one of " +
-                    names_of(std::span<const SceneParameter>(known)));
+                    names_of(std::span<const Parameter>(known)));
   }
   const std::string_view text = word.substr(equals + 1);
   const std::optional<double> value = number_in(text);
@@ -44,8 +37,8 @@ void read_parameter(std::string_view scene, const BuiltinScene& builtin, std::st
                     (!parameter->whole || *value == std::floor(*value));
   if (!fits) {
     fail(scene, parameter->name + ": expected a " + (parameter->whole ? "whole " : "") + "number " +
-                    shown(parameter->low) + " to " + shown(parameter->high) + ", found \"" + shortened(text, 40) +
-                    "\"");
+                    number_text(parameter->low) + " to " + number_text(parameter->high) + ", found \"" +
+                    shortened(text, 40) + "\"");
   }
   values[parameter->name] = *value;
 }
@@ -65,7 +58,7 @@ geometry::Scene make_builtin_scene(std::string_view text) {
     fail(text, "no such scene: expected a model file (.gltf, .glb, .obj, .ply, .stl) or one of " + names_of(known));
   }
   SceneValues values;
-  for (const SceneParameter& p : builtin->parameters) values[p.name] = p.default_value;
+  for (const Parameter& p : builtin->parameters) values[p.name] = p.default_value;
   if (name.size() < text.size()) {
     for (const std::string_view word : split(text.substr(name.size() + 1), ',')) {
       read_parameter(text, *builtin, word, values);

@@ -8,17 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/parameter.h"
 #include "geometry/scene.h"
 
 namespace lode::experiments {
-
-struct SceneParameter {
-  std::string name;
-  std::string meaning;
-  double low, high;  ///< both included
-  double default_value;
-  bool whole = false;  ///< whole numbers only
-};
 
 /// Values by parameter name: all of the scene's, checked.
 using SceneValues = std::map<std::string, double, std::less<>>;
@@ -26,7 +19,7 @@ using SceneValues = std::map<std::string, double, std::less<>>;
 struct BuiltinScene {
   std::string name;
   std::string summary;
-  std::vector<SceneParameter> parameters;
+  std::vector<Parameter> parameters;
   std::function<geometry::Scene(const SceneValues&)> make;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 using geometry::Scene;
 
-const SceneParameter kSegments = {"segments", "vertices around", 3, 2048, 64, true};
+const Parameter kSegments = {"segments", "vertices around", 3, 2048, 64, true};
 
 geometry::Material colored(float r, float g, float b) {
   geometry::Material material;
@@ -110,12 +110,12 @@ Scene make_alpha(const SceneValues& v) {
 }
 
 std::vector<BuiltinScene> make_list() {
-  const SceneParameter seed = {"seed", "of the random numbers", 0, 9007199254740992.0, 1, true};
+  const Parameter seed = {"seed", "of the random numbers", 0, 9007199254740992.0, 1, true};
   const auto radius = [](const char* name, const char* meaning, double value) {
-    return SceneParameter{name, meaning, 1e-6, 1e6, value};
+    return Parameter{name, meaning, 1e-6, 1e6, value};
   };
-  const auto coordinate = [](const char* name) { return SceneParameter{name, "of the centre", -1e9, 1e9, 0}; };
-  const SceneParameter checks = {"checks", "squares along a side of the texture", 1, 256, 16, true};
+  const auto coordinate = [](const char* name) { return Parameter{name, "of the centre", -1e9, 1e9, 0}; };
+  const Parameter checks = {"checks", "squares along a side of the texture", 1, 256, 16, true};
   return {
       {"sphere",
        "A ball's surface, 2 segments (rings - 1) triangles",
