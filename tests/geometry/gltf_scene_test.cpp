@@ -141,6 +141,13 @@ TEST(GltfNodeErrors, TransformsThatAreNoneAreNamed) {
             "nodes[1]: its place in the world is not finite");
 }
 
+TEST(GltfNodeErrors, MoreNodesThanMemoryAllowsAreRefused) {
+  // Three bytes a node in the file, hundreds in memory.
+  std::string text = R"({"asset": {"version": "2.0"}, "nodes": [{})";
+  for (int i = 0; i < 1500000; ++i) text += ",{}";
+  EXPECT_THAT(model_error("a.gltf", text + "]}"), HasSubstr("nodes: claims "));
+}
+
 TEST(GltfCameras, StandWhereTheirNodesDoWithoutScale) {
   // Turned by 180° about y, and stretched: looks along +z, its right is −x.
   GltfBuilder file = nodes(

@@ -1,7 +1,7 @@
 #include "geometry/model_file/gltf/gltf_file.h"
 
 #include <map>
-#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,7 +18,10 @@ class SceneReader {
   explicit SceneReader(ModelFiles& files) : document_(files), textures_(document_) { scene_.name = files.model_path(); }
 
   Scene read() {
+    take("materials", 4 * sizeof(GltfMaterial));
     materials_ = read_materials(document_, textures_);
+    take("nodes", sizeof(PlacedNode) + sizeof(Node) + 64);  // and their families, and cameras
+    scene_.nodes.reserve(document_.count("nodes"));
     for (const PlacedNode& placed : placed_nodes(document_)) add_node(placed);
     for (GltfMaterial& material : materials_) scene_.materials.push_back(std::move(material.material));
     scene_.pictures = textures_.read_pictures();
@@ -26,6 +29,11 @@ class SceneReader {
   }
 
  private:
+  /// Takes memory for all elements of a top-level array.
+  void take(std::string_view array, std::size_t bytes_each) {
+    document_.files().budget.take(document_.count(array) * bytes_each, scene_.name + ": " + std::string(array));
+  }
+
   void add_node(const PlacedNode& placed) {
     const auto index = std::uint32_t(scene_.nodes.size());
     const JsonView view = document_.element("nodes", placed.node);
@@ -68,6 +76,7 @@ class SceneReader {
     const JsonView view = document_.element("meshes", index);
     const JsonView primitives = view.require("primitives");
     const Range range{std::uint32_t(scene_.meshes.size()), std::uint32_t(primitives.size("an array of primitives"))};
+    document_.files().budget.take(3 * range.count * sizeof(Mesh), primitives.place());
     for (std::uint32_t i = 0; i < range.count; ++i) {
       scene_.meshes.push_back(read_primitive(document_, primitives.at(i), materials_));
     }

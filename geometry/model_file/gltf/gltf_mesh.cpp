@@ -140,8 +140,9 @@ Mesh read_primitive(GltfDocument& document, const JsonView& view, const std::vec
 
   const bool is_lit = !(material && material->material.unlit);
   if (mesh.kind == MeshKind::triangles && is_lit && mesh.normals.empty()) {
-    document.files().budget.take(mesh.indices.size() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4)),
-                                 view.place());
+    constexpr std::size_t kCornerBytes =
+        2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4) + sizeof(std::uint32_t);
+    document.files().budget.take(kCornerBytes * mesh.indices.size(), view.place());
     return with_flat_normals(mesh);
   }
   return mesh;

@@ -186,6 +186,7 @@ std::vector<PlacedNode> placed_nodes(const GltfDocument& document) {
   check_cycles(document, family);
 
   std::vector<PlacedNode> placed;
+  placed.reserve(family.parents.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // a node, and its parent's place; the next one last
   const auto push = [&](const std::vector<std::uint32_t>& nodes, std::uint32_t parent) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) open.emplace_back(*node, parent);

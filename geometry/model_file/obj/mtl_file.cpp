@@ -92,7 +92,7 @@ std::vector<MtlMaterial> read_mtl(ModelFiles& files, const std::string& path, co
   while (lines.next_line()) {
     const std::string_view key = lines.word();
     if (key == "newmtl") {
-      files.budget.take(2 * sizeof(MtlMaterial), path);
+      files.budget.take(4 * sizeof(MtlMaterial), path);  // and in the library
       materials.emplace_back().name = lines.words.rest();
       has_d = false;
       continue;

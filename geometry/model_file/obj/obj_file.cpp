@@ -24,6 +24,9 @@ constexpr std::string_view kIgnored[] = {"s",          "mg",        "lod",   "be
                                          "vp",         "deg",       "bmat",  "step",  "cstype",   "parm",
                                          "trim",       "hole",      "scrv",  "sp",    "end",      "con"};
 
+/// What a part takes beyond its corners: a mesh, an instance, and perhaps a node and a material of its own.
+constexpr std::size_t kPartBytes = 2048;
+
 class ObjReader {
  public:
   explicit ObjReader(ModelFiles& files)
@@ -159,7 +162,10 @@ class ObjReader {
     const std::string place = files_.model_path() + ": line " + std::to_string(material_line_);
     const std::uint32_t in_node = node(), with = materials_.use(material_name_, place);
     const auto [entry, is_new] = part_index_.try_emplace(std::tuple(in_node, with, kind), std::uint32_t(parts_.size()));
-    if (is_new) parts_.push_back({in_node, with, kind, {}});
+    if (is_new) {
+      files_.budget.take(kPartBytes, place);
+      parts_.push_back({in_node, with, kind, {}});
+    }
     known = entry->second;
     return parts_[known];
   }
