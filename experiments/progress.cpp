@@ -83,9 +83,9 @@ void Progress::add(std::uint64_t n) noexcept {
     const double now_s = clock_();
     if (!on_ || now_s < next_s_) return;
     next_s_ = now_s + kRedrawn_s;
-    err_ << kClearLine << progress_line(what_, unit_, done, total_, now_s - started_s_) << std::flush;
     drawn_ = true;
-    clear_terminal_line_on_signals(true);
+    clear_terminal_line_on_signals(true);  // before there is anything to clear: a signal may come at any moment
+    err_ << kClearLine << progress_line(what_, unit_, done, total_, now_s - started_s_) << std::flush;
   } catch (...) {  // a line that cannot be shown is not shown
   }
 }
@@ -95,11 +95,11 @@ void Progress::finish() noexcept {
   on_ = false;
   if (!drawn_) return;
   drawn_ = false;
-  clear_terminal_line_on_signals(false);
   try {
     err_ << kClearLine << std::flush;
   } catch (...) {
   }
+  clear_terminal_line_on_signals(false);
 }
 
 }  // namespace lode::experiments

@@ -42,7 +42,7 @@ class EarClipper {
       next_.push_back(i + 1 == points.size() ? 0 : i + 1);
     }
     for (std::uint32_t i = 0; i < points.size(); ++i) turns_left_.push_back(turn(i) > 0);
-    n_tests_left_ = 2 * points.size() * points.size();
+    n_tests_left_ = 4 * points.size() * points.size();
   }
 
   [[nodiscard]] bool is_convex() const {
@@ -87,7 +87,7 @@ class EarClipper {
     return true;
   }
 
-  /// Returns the corner after the one removed.
+  /// Returns the corner before the one removed: in a narrow strip the next ear is there, or one further.
   std::uint32_t remove(std::uint32_t i) {
     const std::uint32_t before = previous_[i], after = next_[i];
     next_[before] = after;
@@ -95,7 +95,7 @@ class EarClipper {
     --n_left_;
     turns_left_[before] = turn(before) > 0;
     turns_left_[after] = turn(after) > 0;
-    return after;
+    return before;
   }
 
   const std::vector<glm::dvec2>& points_;

@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxConcaveCorners = 2048;
 
 /// Appends the corners, 0…n−1, of n − 2 triangles with the polygon's own orientation. A convex polygon (seen along the
 /// axis that its normal, by Newell's method, is nearest to) becomes a fan from its first corner; a concave one loses
-/// ears (Meisters, "Polygons have ears", 1975), the first after the last one clipped; decided by exact predicates. A
+/// ears (Meisters, "Polygons have ears", 1975), the next one from the corner before the last; exact predicates decide. A
 /// polygon that crosses itself, or has no area, gives n − 2 triangles too, of whatever shape.
 ///
 ///   corners   [n] finite, n ≥ 3; they need not lie in a plane

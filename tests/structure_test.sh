@@ -48,8 +48,8 @@ door 'OpenImageIO/' 'geometry/image_file'
 door 'png\.h' 'geometry/image_file/decode_png'
 door 'nlohmann/' '(geometry/json/|geometry/model_file/|experiments/)'
 door '(CLI|openssl)/' 'experiments/'
-door '(gmp|gmpxx)\.h' 'experiments/truth/rational'
-door '(gtest|gmock|benchmark|mpfr)[./]' 'tests/'
+door 'gmpxx[.]' 'experiments/truth/rational'
+door '(gtest|gmock|benchmark|gmp|mpfr)[./]' 'tests/'
 
 # ---- What the pages name exists ----
 files() {

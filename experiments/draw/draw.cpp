@@ -10,6 +10,7 @@
 #include "experiments/draw/print_picture.h"
 #include "experiments/draw/read_picture.h"
 #include "experiments/error.h"
+#include "experiments/make_target.h"
 #include "raster/error.h"
 #include "raster/parallel.h"
 #include "raster/render.h"
@@ -58,7 +59,7 @@ struct Rendering {
                               .samples_fx8 = picture.samples_fx8};
     options.threads = threads;
     try {
-      raster::Image image = raster::make_image(picture.size_px, raster::ColorFormat::rgba8, planes);
+      raster::Image image = make_target(picture.size_px, raster::ColorFormat::rgba8, planes);
       const raster::FrameStats counted = raster::render(frame, image, options);
       if (stats) *stats = counted;
       return image;

@@ -36,7 +36,8 @@ void check_technique(const std::string& text) {
 
 void add_look_options(CLI::App& app, LookOptions& o) {
   app.add_option("--clear", o.clear, "Background, each 0 to 1 (default 0,0,0,0)")->option_text("R,G,B,A");
-  app.add_option("--shading", o.shading, "material (lit unless the material is unlit), lambert (all lit) or unlit")
+  app.add_option("--shading", o.shading,
+                 "material (default: lit unless the material is unlit), lambert (all lit) or unlit")
       ->option_text("NAME");
   app.add_option("--technique", o.technique, "What is drawn in which way (default plain: the scene as it is)")
       ->option_text("NAME[:k=v,...]");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "experiments/error.h"
+#include "experiments/make_target.h"
 #include "experiments/option_values.h"
 #include "experiments/progress.h"
 #include "experiments/render/render_stats.h"
@@ -99,9 +100,9 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
   timed_planes.depth = single;
 
   const raster::ColorFormat format = techniques::color_format(request.look.draws.color_space);
-  raster::Image first = raster::make_image(view.size_px, format, first_planes);
+  raster::Image first = make_target(view.size_px, format, first_planes);
   raster::Image timed;
-  if (n_timed > 0) timed = raster::make_image(view.size_px, format, timed_planes);
+  if (n_timed > 0) timed = make_target(view.size_px, format, timed_planes);
 
   Progress progress(streams, common, "rendering", "tiles",
                     std::uint64_t(1 + n_timed) * raster::n_tiles(view.size_px, raster::RenderOptions{}));

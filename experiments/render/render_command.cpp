@@ -25,7 +25,9 @@ constexpr const char* kFooter =
     "after one warm-up), prepare_ms (once per scene), the renderer's counters, and the SHA-256 of each plane. Timed\n"
     "frames have colour and depth, and ids only with --ids. Every frame renders as if its camera were new.\n";
 
-void add_options(CLI::App& app, RenderOptions& options) {
+}  // namespace
+
+void add_render_options(CLI::App& app, RenderOptions& options) {
   add_scene_options(app, options.scene);
   add_look_options(app, options.look);
   app.add_flag("--no-color", options.no_color, "Depth and ids only");
@@ -36,8 +38,6 @@ void add_options(CLI::App& app, RenderOptions& options) {
       ->option_text("DEG");
 }
 
-}  // namespace
-
 Command render_command() {
   const auto options = std::make_shared<RenderOptions>();
   return {.name = "render",
@@ -45,10 +45,10 @@ Command render_command() {
           .footer = kFooter,
           .examples = {"lodestone render model.glb --out picture.png",
                        "lodestone render sphere:segments=200 --eye 3,2,4 --look-at 0,0,0 --fov 30 --out sphere.png",
-                       "lodestone render model.obj --camera 0 --size 512x512 --depth depth.exr --ids ids.npy",
+                       "lodestone render model.gltf --camera 0 --size 512x512 --depth depth.exr --ids ids.npy",
                        "lodestone render terrain --clear 0.5,0.7,0.9,1 --samples 16 --out terrain.png",
                        "lodestone render spheres --repeat 20 --orbit 5 --stats -"},
-          .add_options = [options](CLI::App& app) { add_options(app, *options); },
+          .add_options = [options](CLI::App& app) { add_render_options(app, *options); },
           .run =
               [options](const CommonOptions& common, const Streams& streams) {
                 render(*options, common, streams);

@@ -1,5 +1,6 @@
 #include "experiments/truth/truth.h"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -71,13 +72,26 @@ CheckReport check_views(const TruthOptions& options, const SceneView& view, cons
   return report;
 }
 
-/// A colour for each verdict; what both drew alike is grey.
-std::vector<glm::u8vec4> verdict_map(const PictureCheck& check) {
-  constexpr glm::u8vec4 kColors[kVerdicts] = {{64, 64, 64, 255}, {255, 220, 0, 255}, {40, 120, 255, 255},
-                                              {0, 200, 80, 255}, {255, 0, 255, 255}, {255, 0, 0, 255}};
-  std::vector<glm::u8vec4> map;
-  map.reserve(check.verdicts.size());
-  for (const Verdict verdict : check.verdicts) map.push_back(kColors[std::size_t(verdict)]);
+/// A colour for each verdict, and around each pixel that differs its eight neighbours in half of it, so that a single
+/// one is seen in a picture shown smaller; what both drew alike is grey.
+std::vector<glm::u8vec4> verdict_map(const PictureCheck& check, glm::ivec2 size_px) {
+  constexpr glm::u8vec3 kColors[kVerdicts] = {{64, 64, 64}, {255, 220, 0}, {40, 120, 255},
+                                              {0, 200, 80}, {255, 0, 255}, {255, 0, 0}};
+  std::vector<glm::u8vec4> map(check.verdicts.size(), glm::u8vec4(kColors[0], 255));
+  const auto at = [&](int x, int y) { return std::size_t(y) * std::size_t(size_px.x) + std::size_t(x); };
+  const auto color_of = [&](std::size_t i) { return kColors[std::size_t(check.verdicts[i])]; };
+  for (int y = 0; y < size_px.y; ++y) {
+    for (int x = 0; x < size_px.x; ++x) {
+      if (check.verdicts[at(x, y)] == Verdict::same) continue;
+      for (int ny = std::max(0, y - 1); ny <= std::min(size_px.y - 1, y + 1); ++ny) {
+        for (int nx = std::max(0, x - 1); nx <= std::min(size_px.x - 1, x + 1); ++nx) {
+          if (check.verdicts[at(nx, ny)] == Verdict::same)
+            map[at(nx, ny)] = {color_of(at(x, y)) / std::uint8_t(2), 255};
+        }
+      }
+      map[at(x, y)] = {color_of(at(x, y)), 255};
+    }
+  }
   return map;
 }
 
@@ -139,7 +153,7 @@ Status run(const TruthOptions& options, const Request& request, const SceneView&
     if (options.outputs.stats) files.write_stats(json, streams.out);
     if (map) {
       geometry::write_color(map->file(), *geometry::image_format(*options.map), view.size_px,
-                            verdict_map(report.views.front().check.picture));
+                            verdict_map(report.views.front().check.picture, view.size_px));
     }
     if (report.unexplained() > 0) {
       list_unexplained(report, streams.err);

@@ -14,23 +14,18 @@ constexpr const char* kFooter =
     "--check rasterizes, too, compares ids and depth at every pixel's centre and prints a JSON object: pixels,\n"
     "different, explained by edge, depth_tie, range, embree, and unexplained. Every difference is judged in exact\n"
     "arithmetic over all placements of the vertices within the snap, 1/512 + 2^-20 px; notes/truth.md tells how.\n"
-    "Alpha-tested draws count as solid on both sides; blended draws, lines and points are left out (left_out). Status "
-    "1\n"
-    "unless unexplained is 0; then up to ten pixels are named on standard error, each with the command that explains "
-    "it.\n"
-    "edge_bound is how many differences edges are expected to explain at most: 0.0055 px x visible_edge_px, the "
-    "length\n"
-    "of the visible edges, measured on a grid of visible_edge_grid lines a pixel (a lower bound); edge_on_line of "
-    "them\n"
-    "lie exactly on an edge.\n"
+    "Alpha-tested draws count as solid on both sides; blended draws, lines and points are left out (left_out).\n"
+    "Status 1 unless unexplained is 0; then up to ten pixels are named on standard error, each with the command\n"
+    "that explains it. edge_bound is how many differences edges are expected to explain at most: 0.0055 px x\n"
+    "visible_edge_px, the length of the visible edges, measured on a grid of visible_edge_grid lines a pixel (a\n"
+    "lower bound); edge_on_line of them lie exactly on an edge.\n"
     "\n"
-    "--tour checks from eight cameras: front, diagonal_1, diagonal_2, above, inside, near_cut (the near plane cuts "
-    "the\n"
-    "scene), far_away (a thousand diagonals) and orthographic; the sums are as above, each view is under cameras.\n"
+    "--tour checks from eight cameras: front, diagonal_1, diagonal_2, above, inside, near_cut (the near plane\n"
+    "cuts the scene), far_away (a thousand diagonals) and orthographic; the sums are as above, each view is under\n"
+    "cameras.\n"
     "\n"
-    "--map: black where both agree on nothing, grey where they agree, edge yellow, depth_tie blue, range green, "
-    "embree\n"
-    "magenta, unexplained red.\n";
+    "--map: grey where both agree; edge yellow, depth_tie blue, range green, embree magenta, unexplained red,\n"
+    "each with its neighbours in half of its colour.\n";
 
 void add_options(CLI::App& app, truth::TruthOptions& options) {
   add_scene_options(app, options.scene);

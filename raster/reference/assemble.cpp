@@ -36,27 +36,6 @@ PixelBox bounds_over_samples(const T& shape, const Frame& frame) {
   return {first.begin_px, last.end_px};
 }
 
-/// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise.
-int facing_sign(const std::array<glm::dvec4, 3>& corners) {
-  std::array<const glm::dvec4*, 3> p = {&corners[0], &corners[1], &corners[2]};
-  int parity = 1;
-  const auto sort_pair = [&](std::size_t i, std::size_t j) {
-    if (!canonically_before(*p[j], *p[i])) return;
-    std::swap(p[i], p[j]);
-    parity = -parity;
-  };
-  sort_pair(0, 1);
-  sort_pair(1, 2);
-  sort_pair(0, 1);
-  const glm::dvec4 &a = *p[0], &b = *p[1], &c = *p[2];
-  const double det = (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w)) + a.w * (b.x * c.y - c.x * b.y);
-  return det > 0.0 ? parity : (det < 0.0 ? -parity : 0);
-}
-
-bool culled(Cull cull, int sign) {  // sign: +1 counter-clockwise on screen, 0 neither
-  return (cull == Cull::back && sign <= 0) || (cull == Cull::front && sign >= 0);
-}
-
 /// Assembles primitives of one draw, in order, into `out`.
 class DrawAssembler {
  public:
@@ -315,6 +294,26 @@ class DrawAssembler {
 };
 
 }  // namespace
+
+int facing_sign(const std::array<glm::dvec4, 3>& corners) {
+  std::array<const glm::dvec4*, 3> p = {&corners[0], &corners[1], &corners[2]};
+  int parity = 1;
+  const auto sort_pair = [&](std::size_t i, std::size_t j) {
+    if (!canonically_before(*p[j], *p[i])) return;
+    std::swap(p[i], p[j]);
+    parity = -parity;
+  };
+  sort_pair(0, 1);
+  sort_pair(1, 2);
+  sort_pair(0, 1);
+  const glm::dvec4 &a = *p[0], &b = *p[1], &c = *p[2];
+  const double det = (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w)) + a.w * (b.x * c.y - c.x * b.y);
+  return det > 0.0 ? parity : (det < 0.0 ? -parity : 0);
+}
+
+bool culled(Cull cull, int sign) {
+  return (cull == Cull::back && sign <= 0) || (cull == Cull::front && sign >= 0);
+}
 
 Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) {
   Assembly all;

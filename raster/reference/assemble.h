@@ -62,6 +62,12 @@ struct Assembly {
   FrameStats stats;           ///< draws, primitives and pieces
 };
 
+/// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise on screen.
+[[nodiscard]] int facing_sign(const std::array<glm::dvec4, 3>& corners);
+
+/// Whether a triangle of this sign is dropped: +1 counter-clockwise on screen, −1 clockwise, 0 neither.
+[[nodiscard]] bool culled(Cull cull, int sign);
+
 [[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers);
 
 }  // namespace lode::raster::reference

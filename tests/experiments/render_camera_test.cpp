@@ -116,13 +116,13 @@ TEST(RenderCamera, WithoutAnyCameraTheSceneIsFramed) {
   // The scene's middle is in the middle of the picture, and nothing touches its border.
   for (const char* scene : {"sphere:x=1000,y=-3,z=2,radius=5", "terrain:cells=4", "cube"}) {
     const TemporaryDirectory directory;
-    const Outcome run = run_lodestone({"render", scene, "--size", "16x9", "--ids", directory / "ids.npy"});
+    const Outcome run = run_lodestone({"render", scene, "--size", "64x36", "--ids", directory / "ids.npy"});
     ASSERT_EQ(run.status, 0) << run.err;
     const std::string ids = read_npy(directory / "ids.npy").bytes;
-    const auto covered = [&](int x, int y) { return ids[std::size_t(8 * (16 * y + x))] == '\0'; };
-    EXPECT_TRUE(covered(8, 4)) << scene;
-    for (int x = 0; x < 16; ++x) EXPECT_FALSE(covered(x, 0) || covered(x, 8)) << scene;
-    for (int y = 0; y < 9; ++y) EXPECT_FALSE(covered(0, y) || covered(15, y)) << scene;
+    const auto covered = [&](int x, int y) { return ids[std::size_t(8 * (64 * y + x))] == '\0'; };
+    EXPECT_TRUE(covered(32, 18)) << scene;
+    for (int x = 0; x < 64; ++x) EXPECT_FALSE(covered(x, 0) || covered(x, 35)) << scene;
+    for (int y = 0; y < 36; ++y) EXPECT_FALSE(covered(0, y) || covered(63, y)) << scene;
   }
 }
 

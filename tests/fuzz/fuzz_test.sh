@@ -5,10 +5,11 @@ set -euo pipefail
 cd "$1"
 cmake --preset clang-fuzz --log-level=WARNING
 cmake --build --preset clang-fuzz -j "${LODESTONE_JOBS:-$(nproc)}"
+build/clang-fuzz/tests/fuzz/make_fuzz_seeds build/fuzz
 for target in build/clang-fuzz/tests/fuzz/*_fuzzer; do
   name=$(basename "$target")
   mkdir -p "build/fuzz/$name"
-  "$target" -max_total_time="${LODESTONE_FUZZ_SECONDS:-60}" -max_len=2048 -timeout=25 -rss_limit_mb=2048 \
+  "$target" -max_total_time="${LODESTONE_FUZZ_SECONDS:-60}" -max_len=4096 -timeout=25 -rss_limit_mb=2048 \
     -artifact_prefix="build/fuzz/$name-" -print_final_stats=1 "build/fuzz/$name" 2>"build/fuzz/$name.log" ||
     { tail -60 "build/fuzz/$name.log"; exit 1; }
   grep -E '^(Done|stat::number_of_executed_units|stat::slowest_unit_time_sec)' "build/fuzz/$name.log"

@@ -15,11 +15,13 @@ namespace {
 
 class SceneReader {
  public:
-  explicit SceneReader(ModelFiles& files) : document_(files) { scene_.name = files.model_path(); }
+  explicit SceneReader(ModelFiles& files) : document_(files), textures_(document_) { scene_.name = files.model_path(); }
 
   Scene read() {
-    uv_sources_ = read_materials(document_, scene_);
+    materials_ = read_materials(document_, textures_);
     for (const PlacedNode& placed : placed_nodes(document_)) add_node(placed);
+    for (GltfMaterial& material : materials_) scene_.materials.push_back(std::move(material.material));
+    scene_.pictures = textures_.read_pictures();
     return std::move(scene_);
   }
 
@@ -67,15 +69,16 @@ class SceneReader {
     const JsonView primitives = view.require("primitives");
     const Range range{std::uint32_t(scene_.meshes.size()), std::uint32_t(primitives.size("an array of primitives"))};
     for (std::uint32_t i = 0; i < range.count; ++i) {
-      scene_.meshes.push_back(read_primitive(document_, primitives.at(i), scene_, uv_sources_));
+      scene_.meshes.push_back(read_primitive(document_, primitives.at(i), materials_));
     }
     meshes_.emplace(index, range);
     return range;
   }
 
   GltfDocument document_;
+  GltfTextures textures_;
   Scene scene_;
-  std::vector<std::optional<UvSource>> uv_sources_;
+  std::vector<GltfMaterial> materials_;
   std::map<std::size_t, Range> meshes_;
 };
 

@@ -3,7 +3,6 @@
 #include <cfloat>
 #include <string>
 
-#include "geometry/model_file/gltf/gltf_texture.h"
 #include "geometry/trigonometry.h"
 
 namespace lode::geometry {
@@ -34,40 +33,42 @@ glm::dmat3x2 read_transform(const JsonView& view) {
 
 class MaterialReader {
  public:
-  MaterialReader(GltfDocument& document, Scene& scene) : textures_(document, scene) {}
+  explicit MaterialReader(GltfTextures& textures) : textures_(textures) {}
 
-  Material read(const JsonView& view, std::optional<UvSource>& uvs) {
-    Material material;
+  GltfMaterial read(const JsonView& view) {
+    GltfMaterial result;
+    Material& material = result.material;
     if (const auto name = view.find("name")) material.name = name->string();
     if (const auto pbr = view.find("pbrMetallicRoughness")) {
       if (const auto factor = pbr->find("baseColorFactor")) material.color = read_factor(*factor);
-      if (const auto texture = pbr->find("baseColorTexture")) read_texture(*texture, material, uvs);
+      if (const auto texture = pbr->find("baseColorTexture")) read_texture(*texture, result);
     }
-    if (const auto extensions = view.find("extensions")) read_extensions(*extensions, material, uvs);
+    if (const auto extensions = view.find("extensions")) read_extensions(*extensions, result);
     if (const auto mode = view.find("alphaMode")) {
       constexpr AlphaMode kModes[] = {AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend};
       material.alpha_mode = kModes[mode->choice({"OPAQUE", "MASK", "BLEND"})];
     }
     if (const auto cutoff = view.find("alphaCutoff")) material.alpha_cutoff = cutoff->number(0.0, DBL_MAX);
     if (const auto sides = view.find("doubleSided")) material.double_sided = sides->boolean();
-    return material;
+    return result;
   }
 
  private:
-  void read_texture(const JsonView& info, Material& material, std::optional<UvSource>& uvs) {
+  void read_texture(const JsonView& info, GltfMaterial& result) {
     constexpr std::int64_t kMaxSet = 1000;
-    material.color_texture = textures_.use(info.require("index"));
-    uvs.emplace();
-    if (const auto set = info.find("texCoord")) uvs->set = std::size_t(set->integer(0, kMaxSet));
+    result.material.color_texture = textures_.use(info.require("index"));
+    UvSource& uvs = result.uvs.emplace();
+    if (const auto set = info.find("texCoord")) uvs.set = std::size_t(set->integer(0, kMaxSet));
     const auto extensions = info.find("extensions");
     if (!extensions) return;
     const auto transform = extensions->find("KHR_texture_transform");
     if (!transform) return;
-    uvs->uv_from_set = read_transform(*transform);
-    if (const auto set = transform->find("texCoord")) uvs->set = std::size_t(set->integer(0, kMaxSet));
+    uvs.uv_from_set = read_transform(*transform);
+    if (const auto set = transform->find("texCoord")) uvs.set = std::size_t(set->integer(0, kMaxSet));
   }
 
-  void read_extensions(const JsonView& extensions, Material& material, std::optional<UvSource>& uvs) {
+  void read_extensions(const JsonView& extensions, GltfMaterial& result) {
+    Material& material = result.material;
     material.unlit = extensions.find("KHR_materials_unlit").has_value();
     // The older model of reflection; its diffuse colour stands where the base colour does.
     const auto glossy = extensions.find("KHR_materials_pbrSpecularGlossiness");
@@ -75,23 +76,22 @@ class MaterialReader {
     const auto factor = glossy->find("diffuseFactor");
     material.color = factor ? read_factor(*factor) : glm::vec4(1.0f);
     material.color_texture.reset();
-    uvs.reset();
-    if (const auto texture = glossy->find("diffuseTexture")) read_texture(*texture, material, uvs);
+    result.uvs.reset();
+    if (const auto texture = glossy->find("diffuseTexture")) read_texture(*texture, result);
   }
 
-  GltfTextures textures_;
+  GltfTextures& textures_;
 };
 
 }  // namespace
 
-std::vector<std::optional<UvSource>> read_materials(GltfDocument& document, Scene& scene) {
-  const std::size_t n = document.count("materials");
-  std::vector<std::optional<UvSource>> uvs(n);
-  MaterialReader reader(document, scene);
-  for (std::size_t i = 0; i < n; ++i) {
-    scene.materials.push_back(reader.read(document.element("materials", i), uvs[i]));
+std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures) {
+  std::vector<GltfMaterial> materials;
+  MaterialReader reader(textures);
+  for (std::size_t i = 0; i < document.count("materials"); ++i) {
+    materials.push_back(reader.read(document.element("materials", i)));
   }
-  return uvs;
+  return materials;
 }
 
 }  // namespace lode::geometry

@@ -1,6 +1,6 @@
 #pragma once
 /// Materials, textures, samplers and images of a glTF file: glTF 2.0, sec. 3.8 and 3.9. Of a material what Material
-/// holds; of its textures that of the base colour, whose picture is decoded.
+/// holds; of its textures that of the base colour.
 
 #include <cstddef>
 #include <glm/mat3x2.hpp>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/model_file/gltf/gltf_document.h"
-#include "geometry/scene.h"
+#include "geometry/model_file/gltf/gltf_texture.h"
 
 namespace lode::geometry {
 
@@ -18,8 +18,13 @@ struct UvSource {
   std::optional<glm::dmat3x2> uv_from_set;  ///< (u, v) = matrix · (s, t, 1), by KHR_texture_transform
 };
 
-/// Adds all materials, in the file's order, and the pictures that they use, in the order of their first use, to the
-/// scene. Returns where each material's coordinates come from, nothing for one without a texture.
-[[nodiscard]] std::vector<std::optional<UvSource>> read_materials(GltfDocument& document, Scene& scene);
+/// A material, and where its texture coordinates come from if it has a texture.
+struct GltfMaterial {
+  Material material;
+  std::optional<UvSource> uvs;
+};
+
+/// All materials, in the file's order.
+[[nodiscard]] std::vector<GltfMaterial> read_materials(GltfDocument& document, GltfTextures& textures);
 
 }  // namespace lode::geometry

@@ -117,14 +117,13 @@ std::vector<glm::vec3> read_normals(GltfDocument& document, const JsonView& refe
 
 }  // namespace
 
-Mesh read_primitive(GltfDocument& document, const JsonView& view, const Scene& scene,
-                    const std::vector<std::optional<UvSource>>& uv_sources) {
+Mesh read_primitive(GltfDocument& document, const JsonView& view, const std::vector<GltfMaterial>& materials) {
   const auto mode_view = view.find("mode");
   const Mode mode = mode_view ? Mode(mode_view->integer(0, 6)) : Mode::triangles;
   Mesh mesh;
   mesh.kind = kind_of(mode);
-  if (const auto material = view.find("material")) {
-    mesh.material = std::uint32_t(material->index(scene.materials.size(), "materials"));
+  if (const auto reference = view.find("material")) {
+    mesh.material = std::uint32_t(reference->index(materials.size(), "materials"));
   }
   const JsonView attributes = view.require("attributes");
   const auto positions = attributes.find("POSITION");
@@ -136,11 +135,10 @@ Mesh read_primitive(GltfDocument& document, const JsonView& view, const Scene& s
   mesh.indices = read_list(document, view, mode, n);
   if (const auto normals = attributes.find("NORMAL")) mesh.normals = read_normals(document, *normals, n);
   if (const auto colors = attributes.find("COLOR_0")) mesh.colors = read_colors(document, *colors, n);
-  if (mesh.material && uv_sources[*mesh.material]) {
-    mesh.uvs = read_uvs(document, attributes, *uv_sources[*mesh.material], n);
-  }
+  const GltfMaterial* const material = mesh.material ? &materials[*mesh.material] : nullptr;
+  if (material && material->uvs) mesh.uvs = read_uvs(document, attributes, *material->uvs, n);
 
-  const bool is_lit = !(mesh.material && scene.materials[*mesh.material].unlit);
+  const bool is_lit = !(material && material->material.unlit);
   if (mesh.kind == MeshKind::triangles && is_lit && mesh.normals.empty()) {
     document.files().budget.take(mesh.indices.size() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4)),
                                  view.place());

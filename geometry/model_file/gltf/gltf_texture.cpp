@@ -39,7 +39,12 @@ TextureFilter read_filter(const JsonView& sampler) {
   return filter == kNearest || filter == kNearestMipmapNearest ? TextureFilter::nearest : TextureFilter::trilinear;
 }
 
+constexpr std::uint32_t kUnused = 0xFFFFFFFFu;
+
 }  // namespace
+
+GltfTextures::GltfTextures(GltfDocument& document)
+    : document_(document), picture_of_(document.count("images"), kUnused) {}
 
 TextureUse GltfTextures::use(const JsonView& reference) {
   const JsonView texture = document_.target(reference, "textures");
@@ -52,18 +57,19 @@ TextureUse GltfTextures::use(const JsonView& reference) {
   }
   const auto source = texture.find("source");
   if (!source) texture.fail("expected \"source\": a PNG or JPEG image");
-  use.picture = picture(*source);
+  std::uint32_t& picture = picture_of_[source->index(picture_of_.size(), "images")];
+  if (picture == kUnused) {
+    picture = std::uint32_t(images_.size());
+    images_.push_back(std::size_t(&picture - picture_of_.data()));
+  }
+  use.picture = picture;
   return use;
 }
 
-std::uint32_t GltfTextures::picture(const JsonView& reference) {
-  const std::size_t image = reference.index(document_.count("images"), "images");
-  const auto known = pictures_.find(image);
-  if (known != pictures_.end()) return known->second;
-  const auto index = std::uint32_t(scene_.pictures.size());
-  scene_.pictures.push_back(read_image(document_.element("images", image)));
-  pictures_.emplace(image, index);
-  return index;
+std::vector<Picture> GltfTextures::read_pictures() {
+  std::vector<Picture> pictures;
+  for (const std::size_t image : images_) pictures.push_back(read_image(document_.element("images", image)));
+  return pictures;
 }
 
 Picture GltfTextures::read_image(const JsonView& view) {

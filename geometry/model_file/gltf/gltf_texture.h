@@ -1,29 +1,32 @@
 #pragma once
 /// Textures, samplers and images of a glTF file: glTF 2.0, sec. 3.8.
 
+#include <cstddef>
 #include <cstdint>
-#include <map>
+#include <vector>
 
+#include "geometry/material.h"
 #include "geometry/model_file/gltf/gltf_document.h"
-#include "geometry/scene.h"
 
 namespace lode::geometry {
 
-/// Decodes images when they are first used.
+/// Gives pictures their numbers when textures are first used, and decodes them when all else is known to be right.
 class GltfTextures {
  public:
-  GltfTextures(GltfDocument& document, Scene& scene) : document_(document), scene_(scene) {}
+  explicit GltfTextures(GltfDocument& document);
 
-  /// The texture that a reference leads to; its picture is in the scene then.
+  /// The texture that a reference leads to.
   [[nodiscard]] TextureUse use(const JsonView& reference);
 
+  /// The pictures of all textures in use, in the order of their first use.
+  [[nodiscard]] std::vector<Picture> read_pictures();
+
  private:
-  std::uint32_t picture(const JsonView& reference);
   Picture read_image(const JsonView& view);
 
   GltfDocument& document_;
-  Scene& scene_;
-  std::map<std::size_t, std::uint32_t> pictures_;  ///< of images already read, by their index
+  std::vector<std::size_t> images_;        ///< [pictures]: which of the file's "images" each is
+  std::vector<std::uint32_t> picture_of_;  ///< [images]: which picture; kUnused: none
 };
 
 }  // namespace lode::geometry

@@ -39,6 +39,7 @@ class ObjReader {
     // A node's meshes are together, in the order of their first elements.
     std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.node < b.node; });
     for (const Part& part : parts_) add_part(part);
+    materials_.read_pictures();
     return std::move(scene_);
   }
 
@@ -60,6 +61,7 @@ class ObjReader {
     if (key == "p") return read_points();
     if (key == "usemtl") {
       material_name_ = lines_.words.rest();
+      material_line_ = lines_.line_number();
       part_of_kind_ = {};
     } else if (key == "o") {
       ++object_;
@@ -154,7 +156,7 @@ class ObjReader {
   Part& part(MeshKind kind) {
     std::uint32_t& known = part_of_kind_.index[std::size_t(kind)];
     if (known != ObjCorner::kNone) return parts_[known];
-    const std::string place = files_.model_path() + ": line " + std::to_string(lines_.line_number());
+    const std::string place = files_.model_path() + ": line " + std::to_string(material_line_);
     const std::uint32_t in_node = node(), with = materials_.use(material_name_, place);
     const auto [entry, is_new] = part_index_.try_emplace(std::tuple(in_node, with, kind), std::uint32_t(parts_.size()));
     if (is_new) parts_.push_back({in_node, with, kind, {}});
@@ -204,6 +206,7 @@ class ObjReader {
   std::size_t object_ = 0;
   std::optional<std::string> group_;
   std::string group_name_, material_name_;
+  std::size_t material_line_ = 0;
 
   struct PartOfKind {
     std::uint32_t index[3] = {ObjCorner::kNone, ObjCorner::kNone, ObjCorner::kNone};

@@ -66,13 +66,13 @@ Material ObjMaterials::made(const MtlMaterial& from, ObjUvs& uvs) {
   material.name = from.name;
   material.double_sided = true;
   material.color = glm::vec4(from.color, from.opacity);
-  const MtlMap* const opacity_map = from.opacity_map ? &*from.opacity_map : nullptr;
-  if (const MtlMap* const map = from.color_map ? &*from.color_map : opacity_map) {
+  const std::optional<MtlMap>& opacity_map = from.opacity_map;
+  if (const auto& map = from.color_map ? from.color_map : opacity_map) {
     if (opacity_map && (map->offset != opacity_map->offset || map->scale != opacity_map->scale)) {
       throw Error(ErrorKind::bad_input, opacity_map->place + ": other -o and -s than map_Kd: expected the same");
     }
     TextureUse use;
-    use.picture = picture(from.color_map ? map->path : "", map->place, opacity_map);
+    use.picture = picture({from.color_map, opacity_map});
     use.wrap_u = use.wrap_v = map->clamp ? TextureWrap::clamp : TextureWrap::repeat;
     material.color_texture = use;
     uvs = {map->offset, map->scale};
@@ -85,29 +85,32 @@ Material ObjMaterials::made(const MtlMaterial& from, ObjUvs& uvs) {
   return material;
 }
 
-/// The picture of the colours (white where the path is empty) with the mask as its alpha.
-std::uint32_t ObjMaterials::picture(const std::string& color_path, const std::string& color_place,
-                                    const MtlMap* opacity_map) {
-  const auto key = std::pair(color_path, opacity_map ? opacity_map->path : std::string());
-  const auto known = pictures_.find(key);
-  if (known != pictures_.end()) return known->second;
+std::uint32_t ObjMaterials::picture(const PictureSource& source) {
+  const auto path = [](const std::optional<MtlMap>& map) { return map ? map->path : std::string(); };
+  const auto [entry, is_new] = picture_of_paths_.try_emplace(std::pair(path(source.colors), path(source.opacity)),
+                                                             std::uint32_t(pictures_.size()));
+  if (is_new) pictures_.push_back(source);
+  return entry->second;
+}
 
+void ObjMaterials::read_pictures() {
+  for (const PictureSource& source : pictures_) scene_.pictures.push_back(read_picture(source));
+}
+
+Picture ObjMaterials::read_picture(const PictureSource& source) {
   Picture picture;
-  if (!color_path.empty()) picture = files_.read_picture(color_path, color_place);
-  if (opacity_map) {
-    Picture mask = files_.read_picture(opacity_map->path, opacity_map->place);
-    if (color_path.empty()) {
-      picture = mask;
-      std::fill(picture.texels.begin(), picture.texels.end(), glm::u8vec4(255));
-      files_.budget.take(picture.texels.size() * sizeof(glm::u8vec4), mask.name);
-    }
-    set_opacity(picture, mask);
-    files_.budget.give_back(mask.texels.size() * sizeof(glm::u8vec4));
+  if (source.colors) picture = files_.read_picture(source.colors->path, source.colors->place);
+  if (!source.opacity) return picture;
+
+  const Picture mask = files_.read_picture(source.opacity->path, source.opacity->place);
+  if (!source.colors) {
+    files_.budget.take(mask.texels.size() * sizeof(glm::u8vec4), mask.name);
+    picture = mask;
+    std::fill(picture.texels.begin(), picture.texels.end(), glm::u8vec4(255));
   }
-  const auto index = std::uint32_t(scene_.pictures.size());
-  scene_.pictures.push_back(std::move(picture));
-  pictures_.emplace(key, index);
-  return index;
+  set_opacity(picture, mask);
+  files_.budget.give_back(mask.texels.size() * sizeof(glm::u8vec4));
+  return picture;
 }
 
 }  // namespace lode::geometry

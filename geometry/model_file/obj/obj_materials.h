@@ -1,9 +1,10 @@
 #pragma once
-/// The materials that an OBJ file uses: names become Materials of the scene when they are first used, and only then are
-/// their pictures read.
+/// The materials that an OBJ file uses: names become Materials of the scene when they are first used. Only their
+/// pictures are read, when all else is known to be right.
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,19 +34,29 @@ class ObjMaterials {
   /// no library at all: then it is a default material of that name. `place` is what errors begin with.
   [[nodiscard]] std::uint32_t use(const std::string& name, const std::string& place);
 
+  /// Reads the pictures of the materials in use into the scene.
+  void read_pictures();
+
   [[nodiscard]] const ObjUvs& uvs(std::uint32_t material) const { return uvs_[material]; }
 
  private:
+  /// A picture of the scene: colours, white if there are none, with an opacity.
+  struct PictureSource {
+    std::optional<MtlMap> colors, opacity;
+  };
+
   Material made(const MtlMaterial& from, ObjUvs& uvs);
-  std::uint32_t picture(const std::string& color_path, const std::string& color_place, const MtlMap* opacity_map);
+  std::uint32_t picture(const PictureSource& source);
+  Picture read_picture(const PictureSource& source);
 
   ModelFiles& files_;
   Scene& scene_;
   bool has_library_ = false;
   std::map<std::string, MtlMaterial> library_;
   std::map<std::string, std::uint32_t> used_;
-  std::vector<ObjUvs> uvs_;                                                ///< of each used material
-  std::map<std::pair<std::string, std::string>, std::uint32_t> pictures_;  ///< by the paths of colours and opacity
+  std::vector<ObjUvs> uvs_;  ///< of each used material
+  std::vector<PictureSource> pictures_;
+  std::map<std::pair<std::string, std::string>, std::uint32_t> picture_of_paths_;  ///< of colours and opacity
 };
 
 }  // namespace lode::geometry
