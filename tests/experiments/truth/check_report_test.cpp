@@ -49,6 +49,12 @@ TEST(CheckReport, NamesUnexplainedPixelsWithTheCommandThatShowsThem) {
             "  lodestone explain model.glb 0,7 --size 640x400 --eye 1,2,3 --look-at 0,0,0\n");
 }
 
+TEST(CheckReport, QuotesAPathThatTheShellWouldTakeApart) {
+  std::ostringstream err;
+  list_unexplained({"my model's.glb", {64, 64}, {view_with(0, 1)}}, err);
+  EXPECT_THAT(err.str(), HasSubstr(R"(lodestone explain 'my model'\''s.glb' 0,7)"));
+}
+
 TEST(CheckReport, NamesTenInAll) {
   std::ostringstream err;
   list_unexplained({"model.glb", {640, 400}, {view_with(0, 8), view_with(0, 12)}}, err);
