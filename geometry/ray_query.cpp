@@ -157,7 +157,9 @@ Geometry make_geometry(RTCDevice device, const RayInstance& instance) {
   for (std::size_t i = 0; i < n_vertices; ++i) {
     const glm::dvec3 p(instance.positions[i]);
     for (int c = 0; c < 3; ++c) {
-      vertices[3 * i + std::size_t(c)] = float(((m[0][c] * p.x + m[1][c] * p.y) + m[2][c] * p.z) + m[3][c]);
+      // Beyond floats is beyond what Embree takes, too: such triangles are met by no ray.
+      const double exact = ((m[0][c] * p.x + m[1][c] * p.y) + m[2][c] * p.z) + m[3][c];
+      vertices[3 * i + std::size_t(c)] = float(std::clamp(exact, -3e38, 3e38));
     }
   }
   auto* const indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(

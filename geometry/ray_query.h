@@ -24,7 +24,7 @@ enum class RayCull : std::uint8_t { none, back, front };
 
 /// One mesh in one place; borrowed while the scene is built.
 struct RayInstance {
-  std::span<const glm::vec3> positions;    ///< [n], object space, finite
+  std::span<const glm::vec3> positions;    ///< [n], object space; beyond ±10^18 in query space unseen
   std::span<const std::uint32_t> indices;  ///< [3 · triangles], each < n
   glm::dmat4 query_from_object{1.0};       ///< affine
   RayCull cull = RayCull::none;

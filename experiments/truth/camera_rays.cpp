@@ -1,6 +1,8 @@
 #include "experiments/truth/camera_rays.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 
 #include "raster/parallel.h"
 
@@ -53,10 +55,11 @@ geometry::Ray CameraRays::ray(glm::dvec2 p_px, std::uint32_t mask) const {
   const geometry::ViewRay view = geometry::view_ray(camera_, size_px_, p_px);
   glm::dvec3 origin = view.origin + start_ * view.direction;
   origin.z += start_;
-  return {.origin = glm::vec3(origin),
-          .direction = glm::vec3(view.direction),
-          .t_near = float(std::max(camera_.near - start_, 0.0)),
-          .t_far = float(camera_.far - start_),
+  const auto in_float = [](double t) { return std::isinf(t) ? HUGE_VALF : float(std::clamp(t, -3e38, 3e38)); };
+  return {.origin = glm::vec3(glm::clamp(origin, -3e38, 3e38)),
+          .direction = glm::vec3(glm::clamp(view.direction, -3e38, 3e38)),
+          .t_near = in_float(std::max(camera_.near - start_, 0.0)),
+          .t_far = in_float(camera_.far - start_),
           .mask = mask};
 }
 

@@ -41,6 +41,15 @@ void put(ordered_json& json, const Sums& sums, const LeftOut& left_out) {
   json["edge_bound_holds"] = sums.every_bound_holds;
 }
 
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-";
+  if (text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 std::string ids_text(raster::Ids ids) {
   if (ids.draw == raster::kNoId) return "nothing";
   return "(" + std::to_string(ids.draw) + ", " + std::to_string(ids.primitive) + ")";
@@ -86,8 +95,8 @@ void list_unexplained(const CheckReport& report, std::ostream& err) {
       char depth[32];
       std::snprintf(depth, sizeof depth, "%.9g", double(pixel.depth));
       err << "lodestone: pixel " << place << ": raster " << ids_text(pixel.raster) << " at depth " << depth << ", rays "
-          << ids_text(pixel.rays) << ": " << pixel.why << "\n  lodestone explain " << report.scene << " " << place
-          << " --size " << report.size_px.x << "x" << report.size_px.y << view.options << "\n";
+          << ids_text(pixel.rays) << ": " << pixel.why << "\n  lodestone explain " << shell_word(report.scene) << " "
+          << place << " --size " << report.size_px.x << "x" << report.size_px.y << view.options << "\n";
     }
   }
 }

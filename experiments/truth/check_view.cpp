@@ -76,7 +76,7 @@ ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::
   for (std::size_t i = 0; i < view.picture.verdicts.size(); ++i) {
     if (view.picture.verdicts[i] == Verdict::edge) at_edges.emplace_back(i % size_px.x, i / size_px.x);
   }
-  const double enough_px = (double(at_edges.size()) - 1.0) / kEdgeBand_px;  // above it, the bound holds
+  const double enough_px = double(at_edges.size()) / kEdgeBand_px;  // from there on the bound holds
   view.edges = visible_edges(
       size_px, ray_ids, at_edges, enough_px, [&](glm::dvec2 p_px) { return rays.nearest(p_px); }, threads);
   return view;

@@ -83,10 +83,10 @@ VisibleEdges visible_edges(glm::ivec2 size_px, std::span<const raster::Ids> ids,
                            double enough_px, const IdsAt& ids_at, int threads) {
   const Pixels pixels(size_px, ids);
   VisibleEdges edges{length_of(pixels.crossings(), 1), 1};
-  if (edges.length_px > enough_px) return edges;
+  if (edges.length_px >= enough_px) return edges;
   const std::vector<glm::ivec2> fine = pixels.near_edges(also);
   const auto affordable = [&](int grid) { return fine.size() * std::uint64_t(grid) * grid <= kMaxEdgeRays; };
-  for (int grid = 4; !fine.empty() && affordable(grid) && edges.length_px <= enough_px; grid *= 2) {
+  for (int grid = 4; !fine.empty() && affordable(grid) && edges.length_px < enough_px; grid *= 2) {
     std::vector<std::uint64_t> crossings(fine.size());
     raster::parallel_for(fine.size(), raster::worker_count(threads),
                          [&](std::size_t i, int) { crossings[i] = crossings_in(fine[i], grid, ids_at); });

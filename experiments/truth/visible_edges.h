@@ -20,7 +20,7 @@ namespace lode::experiments::truth {
 
 inline constexpr double kEdgeBand_px = 2.0 * 0.70710678118654752 / 256.0;  ///< 2δ
 
-inline constexpr std::uint64_t kMaxEdgeRays = 1u << 22;
+inline constexpr std::uint64_t kMaxEdgeRays = 1u << 21;
 
 struct VisibleEdges {
   double length_px = 0.0;

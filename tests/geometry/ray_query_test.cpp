@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #if defined(__x86_64__)
@@ -236,6 +237,33 @@ TEST(RayQuery, VerticesThatAreNotFiniteSpoilTheirTrianglesAlone) {
   const RayInstance instance{positions, indices};
   const RayScene scene({&instance, 1});
   EXPECT_EQ(scene.nearest(down_z(1.0f))->primitive, 1u);
+}
+
+TEST(RayQuery, NoNumberStopsIt) {
+  constexpr float kNumbers[] = {0.0f,  1.0f,   -1.0f, 1e-40f, 1e10f,     1.8e18f,
+                                1e19f, -3e38f, 3e38f, 0.5f,   HUGE_VALF, std::numeric_limits<float>::quiet_NaN()};
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    Random random(13, 1, i);
+    const auto number = [&] { return random.below(2) ? float(random.uniform(-1.0, 1.0)) : kNumbers[random.below(12)]; };
+    const auto point = [&] {
+      const float x = number(), y = number();
+      return glm::vec3(x, y, number());
+    };
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t k = 0; k < 30; ++k) {
+      positions.push_back(point());
+      indices.push_back(random.below(k + 1));
+    }
+    const RayInstance instance{positions, indices, glm::dmat4(std::pow(10.0, random.uniform(-300.0, 300.0)))};
+    const RayScene scene({&instance, 1});
+    std::vector<RayHit> hits;
+    for (int k = 0; k < 10; ++k) {
+      const Ray ray{point(), point(), number(), number()};
+      scene.all(ray, hits);
+      EXPECT_EQ(scene.nearest(ray).has_value(), scene.occluded(ray));
+    }
+  }
 }
 
 TEST(RayQuery, ReportsProgressUpToAll) {
