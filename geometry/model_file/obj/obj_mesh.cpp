@@ -6,18 +6,14 @@
 namespace lode::geometry {
 namespace {
 
-/// What one corner may take until its mesh is made: a slot of the table, vertex, index, and the sums of smooth normals.
-constexpr std::size_t kCornerBytes = 128;
+/// What one corner may take until its mesh is made: a slot of the table, vertex, index, and smooth normals.
+constexpr std::size_t kCornerBytes = 208;
 
 void set_normals(Mesh& mesh, const ObjData& data, const std::vector<ObjCorner>& vertices) {
   const auto has_normal = [](const ObjCorner& c) { return c.normal != ObjCorner::kNone; };
-  const bool any = std::any_of(vertices.begin(), vertices.end(), has_normal);
-  const bool all = std::all_of(vertices.begin(), vertices.end(), has_normal);
-  if (mesh.kind == MeshKind::triangles && !all) mesh.normals = smooth_normals(mesh);
-  if (!any) return;
-  mesh.normals.resize(vertices.size(), glm::vec3(0.0f));
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (has_normal(vertices[i])) mesh.normals[i] = data.normals[vertices[i].normal];
+  if (std::none_of(vertices.begin(), vertices.end(), has_normal)) return;
+  for (const ObjCorner& c : vertices) {
+    mesh.normals.push_back(has_normal(c) ? data.normals[c.normal] : glm::vec3(0.0f));
   }
 }
 
@@ -47,7 +43,9 @@ Mesh obj_mesh(const ObjData& data, const std::vector<ObjCorner>& corners, MeshKi
   set_normals(mesh, data, vertices.unique);
   set_uvs(mesh, data, vertices.unique, uvs);
   set_colors(mesh, data, vertices.unique);
-  return mesh;
+  const bool all = !mesh.normals.empty() && std::none_of(mesh.normals.begin(), mesh.normals.end(),
+                                                         [](const glm::vec3& n) { return n == glm::vec3(0.0f); });
+  return kind == MeshKind::triangles && !all ? with_smooth_normals(mesh) : mesh;
 }
 
 }  // namespace lode::geometry

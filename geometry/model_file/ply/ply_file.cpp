@@ -45,8 +45,8 @@ class PlyReader {
     if (!has_vertices_) throw Error(ErrorKind::bad_input, files_.model_path() + ": expected an element \"vertex\"");
     if (!has_faces_) make_points();
     if (has_faces_ && mesh_.normals.empty()) {
-      files_.budget.take(64 * mesh_.positions.size(), files_.model_path());
-      mesh_.normals = smooth_normals(mesh_);
+      files_.budget.take(32 * mesh_.positions.size() + 96 * mesh_.indices.size(), files_.model_path());
+      return with_smooth_normals(mesh_);
     }
     return std::move(mesh_);
   }
