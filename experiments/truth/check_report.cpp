@@ -86,11 +86,12 @@ std::string check_json(const CheckReport& report) {
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-void list_unexplained(const CheckReport& report, std::ostream& err) {
+Status conclude(const CheckReport& report, std::ostream& err) {
+  if (report.unexplained() == 0) return Status::done;
   std::size_t n_listed = 0;
   for (const CheckedView& view : report.views) {
     for (const Unexplained& pixel : view.check.picture.examples) {
-      if (++n_listed > kMaxExamples) return;
+      if (++n_listed > kMaxExamples) return Status::check_failed;
       const std::string place = std::to_string(pixel.px.x) + "," + std::to_string(pixel.px.y);
       char depth[32];
       std::snprintf(depth, sizeof depth, "%.9g", double(pixel.depth));
@@ -99,6 +100,7 @@ void list_unexplained(const CheckReport& report, std::ostream& err) {
           << place << " --size " << report.size_px.x << "x" << report.size_px.y << view.options << "\n";
     }
   }
+  return Status::check_failed;
 }
 
 }  // namespace lode::experiments::truth

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/error.h"
 #include "experiments/truth/check_view.h"
 
 namespace lode::experiments::truth {
@@ -26,7 +27,8 @@ struct CheckReport {
 /// One JSON object and a line break: the sums over all views, and, where there is a tour, each view under "cameras".
 [[nodiscard]] std::string check_json(const CheckReport& report);
 
-/// A line for each unexplained pixel, up to ten in all: ids, depth, why, and the command that shows it.
-void list_unexplained(const CheckReport& report, std::ostream& err);
+/// done, or check_failed if a pixel is unexplained; then `err` gets two lines for each, up to ten pixels in all: ids,
+/// depth, why, and the command that shows it.
+[[nodiscard]] Status conclude(const CheckReport& report, std::ostream& err);
 
 }  // namespace lode::experiments::truth

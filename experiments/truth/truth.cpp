@@ -155,10 +155,7 @@ Status run(const TruthOptions& options, const Request& request, const SceneView&
       geometry::write_color(map->file(), *geometry::image_format(*options.map), view.size_px,
                             verdict_map(report.views.front().check.picture, view.size_px));
     }
-    if (report.unexplained() > 0) {
-      list_unexplained(report, streams.err);
-      status = Status::check_failed;
-    }
+    status = conclude(report, streams.err);
   }
   raster::Planes planes = files.planes();
   const bool with_stats = options.outputs.stats && !request.check, single = view.samples_fx8.size() == 1;

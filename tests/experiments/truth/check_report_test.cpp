@@ -43,7 +43,7 @@ TEST(CheckReport, TheEdgeBoundHoldsUpToTheNextWholeSample) {
 
 TEST(CheckReport, NamesUnexplainedPixelsWithTheCommandThatShowsThem) {
   std::ostringstream err;
-  list_unexplained({"model.glb", {640, 400}, {view_with(0, 1)}}, err);
+  EXPECT_EQ(conclude({"model.glb", {640, 400}, {view_with(0, 1)}}, err), Status::check_failed);
   EXPECT_EQ(err.str(),
             "lodestone: pixel 0,7: raster (3, 14) at depth 0.25, rays nothing: it is wrong\n"
             "  lodestone explain model.glb 0,7 --size 640x400 --eye 1,2,3 --look-at 0,0,0\n");
@@ -51,13 +51,19 @@ TEST(CheckReport, NamesUnexplainedPixelsWithTheCommandThatShowsThem) {
 
 TEST(CheckReport, QuotesAPathThatTheShellWouldTakeApart) {
   std::ostringstream err;
-  list_unexplained({"my model's.glb", {64, 64}, {view_with(0, 1)}}, err);
+  EXPECT_EQ(conclude({"my model's.glb", {64, 64}, {view_with(0, 1)}}, err), Status::check_failed);
   EXPECT_THAT(err.str(), HasSubstr(R"(lodestone explain 'my model'\''s.glb' 0,7)"));
+}
+
+TEST(CheckReport, PassesWhereAllIsExplained) {
+  std::ostringstream err;
+  EXPECT_EQ(conclude({"model.glb", {640, 400}, {view_with(8, 0), view_with(3, 0)}}, err), Status::done);
+  EXPECT_EQ(err.str(), "");
 }
 
 TEST(CheckReport, NamesTenInAll) {
   std::ostringstream err;
-  list_unexplained({"model.glb", {640, 400}, {view_with(0, 8), view_with(0, 12)}}, err);
+  EXPECT_EQ(conclude({"model.glb", {640, 400}, {view_with(0, 8), view_with(0, 12)}}, err), Status::check_failed);
   const std::string text = err.str();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 20);
 }
