@@ -36,7 +36,8 @@ void add_common_options(CLI::App& app, CommandLine& line) {
   app.add_option("--target", line.target, "best, scalar, sse4, avx2, avx512, neon or wasm (default best)")
       ->option_text("NAME");
   app.add_option("--pipeline", line.pipeline, "fast or reference (default fast)")->option_text("NAME");
-  app.add_option("--skip", line.skip, "all, none or a list: the renderer's skips that are on (default all)")
+  app.add_option("--skip", line.skip,
+                 "all or none: the renderer's skips that are on (default all; today it has none to switch)")
       ->option_text("LIST");
 }
 
@@ -46,6 +47,11 @@ std::string examples_text(std::span<const std::string> lines) {
   for (const std::string& line : lines) text += "  " + line + "\n";
   return text;
 }
+
+/// The common options, in the help of every command.
+constexpr const char* kCommonOptionsText =
+    "Also, before or after the command: --quiet, --threads N, --target NAME, --pipeline NAME, --skip LIST, --version;\n"
+    "lodestone --help tells more.\n\n";
 
 std::string program_footer(std::span<const Command> commands) {
   std::vector<std::string> examples;
@@ -61,7 +67,8 @@ CLI::App* add_command(CLI::App& app, const Command& command) {
   CLI::App* const part = app.add_subcommand(command.name, command.summary);
   part->fallthrough();  // common options may follow the command's name
   command.add_options(*part);
-  part->footer((command.footer.empty() ? "" : command.footer + "\n") + examples_text(command.examples));
+  part->footer((command.footer.empty() ? "" : command.footer + "\n") + kCommonOptionsText +
+               examples_text(command.examples));
   return part;
 }
 

@@ -56,6 +56,19 @@ void check_output_paths(const OutputPaths& paths, const std::string& input, cons
   }
 }
 
+void refuse_to_replace(const std::vector<std::string>& files_read, const OutputPaths& paths,
+                       const std::optional<std::string>& another) {
+  for (const auto* path : {&paths.out, &paths.depth, &paths.ids, &paths.stats, &another}) {
+    if (!*path || **path == "-") continue;
+    for (const std::string& file : files_read) {
+      std::error_code not_there;
+      if (!std::filesystem::equivalent(**path, file, not_there)) continue;
+      throw Error(Status::wrong_usage,
+                  **path + ": the scene is read from this file: expected another place for the output");
+    }
+  }
+}
+
 OutputFiles::OutputFiles(const OutputPaths& paths) {
   open(paths.out, color_);
   open(paths.depth, depth_);

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/whole_file.h"
 #include "geometry/image_file.h"
@@ -28,6 +29,10 @@ void add_output_options(CLI::App& app, OutputPaths& paths, const std::string& st
 /// command reads; "-" is standard input) and another file that it writes included.
 void check_output_paths(const OutputPaths& paths, const std::string& input,
                         const std::optional<std::string>& another = {});
+
+/// Throws Error (wrong_usage) if an output would replace one of the files that the scene was read from.
+void refuse_to_replace(const std::vector<std::string>& files_read, const OutputPaths& paths,
+                       const std::optional<std::string>& another = {});
 
 class OutputFiles {
  public:

@@ -1,7 +1,9 @@
 #include "experiments/scene_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
+#include <glm/common.hpp>
 
 #include "experiments/error.h"
 #include "experiments/option_values.h"
@@ -17,6 +19,29 @@ geometry::Scene open_scene(const std::string& name) {
   const bool is_file = geometry::is_model_file(name) || std::filesystem::exists(name, ignored);
   if (names_builtin_scene(name) || !is_file) return make_builtin_scene(name);
   return geometry::read_model_file(name);
+}
+
+/// Beyond the rasterizer's range of clip coordinates (raster/frame.h: 2^300, and w from 2^-149 up) a picture would be a
+/// wrong one.
+void check_range(const SceneView& view) {
+  if (view.bounds.empty()) return;
+  const glm::dmat4 m = geometry::clip_from_world(view.camera, view.size_px);
+  const glm::dvec3 far = glm::max(glm::abs(view.bounds.low), glm::abs(view.bounds.high));
+  double largest = 0.0;
+  for (int row = 0; row < 4; ++row) {
+    const double sum = (std::abs(m[0][row]) * far.x + std::abs(m[1][row]) * far.y) +
+                       (std::abs(m[2][row]) * far.z + std::abs(m[3][row]));
+    largest = sum > largest || std::isnan(sum) ? sum : largest;
+  }
+  const auto fail = [&](const std::string& message) {
+    throw Error(Status::bad_input, view.scene.name + ": with this camera " + message);
+  };
+  if (!(largest < 0x1p280)) {
+    fail("clip coordinates are too large to draw: expected a wider view, or a scene nearer to the origin");
+  }
+  if (view.camera.projection == geometry::Projection::perspective && view.camera.near < 0x1p-140) {
+    fail("the near plane is at less than 1e-42: expected a larger --near, or a larger scene");
+  }
 }
 
 }  // namespace
@@ -51,6 +76,7 @@ SceneView open_view(const ViewRequest& request) {
   view.camera = choose_camera(request.camera, view.scene, view.bounds, request.size_px);
   view.size_px = request.size_px;
   view.samples_fx8 = sample_positions_fx8(request.n_samples);
+  check_range(view);
   return view;
 }
 

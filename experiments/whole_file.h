@@ -1,8 +1,8 @@
 #pragma once
 /// Output files that appear whole or not at all. Bytes go to a temporary file in the output's own directory;
 /// `publish` renames the temporaries of a command when all of them are complete. Whatever ends the command
-/// before that (an error, an exception, SIGINT, SIGTERM, SIGHUP, SIGPIPE) removes them and leaves older files
-/// of the same names as they were.
+/// before that (an error, an exception, a signal from outside that can be caught) removes them and leaves older
+/// files of the same names as they were.
 
 #include <initializer_list>
 #include <string>

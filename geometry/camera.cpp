@@ -97,7 +97,7 @@ Camera framing_camera(const Bounds& bounds, glm::ivec2 size_px) {
   Camera camera;
   camera.near = diagonal / 1000.0;
   const SinCos above = sin_cos(kPi / 12.0);
-  look_at(camera, centre + glm::dvec3(0.0, above.sin, above.cos), centre);
+  set_frame(camera, glm::dvec3(0.0, above.sin, above.cos), glm::dvec3(0.0, 1.0, 0.0));
   // As near as shows every corner with a twentieth of the picture to spare: |x| ≤ 0.9 half.x (distance − z), likewise y.
   const glm::dvec2 half = 0.9 * half_extent(camera, size_px);
   double distance = 2.0 * camera.near;

@@ -68,6 +68,8 @@ class EarClipper {
     triangles.insert(triangles.end(), {previous_[at], at, next_[at]});
   }
 
+  [[nodiscard]] std::uint64_t n_tests() const { return n_tests_; }
+
  private:
   [[nodiscard]] int turn(std::uint32_t i) const {
     return orientation(points_[previous_[i]], points_[i], points_[next_[i]]);
@@ -80,6 +82,7 @@ class EarClipper {
     const glm::dvec2 &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
     for (std::uint32_t k = next_[next_[i]]; k != previous_[i]; k = next_[k]) {
       if (n_tests_left_ > 0) --n_tests_left_;
+      ++n_tests_;
       const glm::dvec2& p = points_[k];
       if (turns_left_[k] || p == a || p == b || p == c) continue;  // if any is inside, one that turns right is
       if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0) return false;
@@ -102,6 +105,7 @@ class EarClipper {
   std::vector<std::uint32_t> previous_, next_;  ///< around the corners that are left
   std::vector<bool> turns_left_;
   std::size_t n_left_, n_tests_left_ = 0;
+  std::uint64_t n_tests_ = 0;
 };
 
 void append_fan(std::size_t n, std::vector<std::uint32_t>& triangles) {
@@ -110,7 +114,7 @@ void append_fan(std::size_t n, std::vector<std::uint32_t>& triangles) {
 
 }  // namespace
 
-bool triangulate(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles) {
+bool triangulate(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles, std::uint64_t* n_tests) {
   const glm::dvec3 normal = corners.size() > 3 ? newell_normal(corners) : glm::dvec3(0.0);
   if (normal == glm::dvec3(0.0)) {
     append_fan(corners.size(), triangles);
@@ -124,6 +128,7 @@ bool triangulate(std::span<const glm::vec3> corners, std::vector<std::uint32_t>&
     return false;
   } else {
     clipper.clip(triangles);
+    if (n_tests) *n_tests += clipper.n_tests();
   }
   return true;
 }

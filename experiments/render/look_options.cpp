@@ -35,7 +35,7 @@ void check_technique(const std::string& text) {
 }  // namespace
 
 void add_look_options(CLI::App& app, LookOptions& o) {
-  app.add_option("--clear", o.clear, "Background, each 0 to 1 (default 0,0,0,0)")->option_text("R,G,B,A");
+  app.add_option("--clear", o.clear, "Background, display values 0 to 1 in steps of 1/255, premultiplied if raw (default 0,0,0,0)")->option_text("R,G,B,A");
   app.add_option("--shading", o.shading,
                  "material (default: lit unless the material is unlit), lambert (all lit) or unlit")
       ->option_text("NAME");

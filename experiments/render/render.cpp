@@ -125,6 +125,7 @@ void render(const RenderOptions& options, const CommonOptions& common, const Str
   const Request request = read_options(options);
   OutputFiles files(options.outputs);
   const SceneView view = open_view(request.view);
+  refuse_to_replace(view.scene.files, options.outputs);
   try {
     render_view(request, view, options, common, streams, files);
   } catch (const raster::Error& error) {

@@ -34,6 +34,22 @@ geometry::RayCull ray_cull(raster::Cull cull) {
   }
 }
 
+/// A power of two that brings the farthest corner of the box to about 1: the ray tracer squares floats.
+double scale_of(const glm::dmat4& m, const geometry::Bounds& bounds) {
+  if (bounds.empty()) return 1.0;
+  double farthest = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+                       corner & 4 ? bounds.high.z : bounds.low.z);
+    const glm::dvec4 q = m * glm::dvec4(p, 1.0);
+    farthest = std::max({farthest, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  }
+  if (!(farthest > 0.0) || !std::isfinite(farthest)) return 1.0;
+  int exponent = 0;
+  static_cast<void>(std::frexp(farthest, &exponent));
+  return std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+}
+
 }  // namespace
 
 CameraRays::CameraRays(std::span<const TracedDraw> draws, const geometry::Camera& camera, glm::ivec2 size_px,
@@ -41,6 +57,10 @@ CameraRays::CameraRays(std::span<const TracedDraw> draws, const geometry::Camera
     : camera_(camera), size_px_(size_px), start_(start_of(camera, bounds)) {
   glm::dmat4 query_from_world = geometry::camera_from_world(camera);
   query_from_world[3][2] += start_;  // z runs back, so that the plane at view distance `start` comes to z = 0
+  scale_ = scale_of(query_from_world, bounds);
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) query_from_world[column][row] *= scale_;
+  }
   std::vector<geometry::RayInstance> instances;
   for (const TracedDraw& traced : draws) {
     const auto& vertices = std::get<raster::ObjectVertices>(traced.draw->vertices);
@@ -55,8 +75,10 @@ geometry::Ray CameraRays::ray(glm::dvec2 p_px, std::uint32_t mask) const {
   const geometry::ViewRay view = geometry::view_ray(camera_, size_px_, p_px);
   glm::dvec3 origin = view.origin + start_ * view.direction;
   origin.z += start_;
-  const auto in_float = [](double t) { return std::isinf(t) ? HUGE_VALF : float(std::clamp(t, -3e38, 3e38)); };
-  return {.origin = glm::vec3(glm::clamp(origin, -3e38, 3e38)),
+  const auto in_float = [&](double t) {
+    return std::isinf(t) ? HUGE_VALF : float(std::clamp(scale_ * t, -3e38, 3e38));
+  };
+  return {.origin = glm::vec3(glm::clamp(scale_ * origin, -3e38, 3e38)),
           .direction = glm::vec3(glm::clamp(view.direction, -3e38, 3e38)),
           .t_near = in_float(std::max(camera_.near - start_, 0.0)),
           .t_far = in_float(camera_.far - start_),

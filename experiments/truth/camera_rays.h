@@ -44,6 +44,7 @@ class CameraRays {
   geometry::Camera camera_;
   glm::ivec2 size_px_;
   double start_ = 0.0;  ///< view distance at which t = 0
+  double scale_ = 1.0;  ///< query space is camera space times this
   std::vector<std::uint32_t> draw_ids_;
   std::optional<geometry::RayScene> scene_;
 };

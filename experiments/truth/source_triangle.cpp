@@ -1,5 +1,6 @@
 #include "experiments/truth/source_triangle.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lode::experiments::truth {
@@ -28,8 +29,10 @@ ExactCorner exact_clip_corner(const glm::dmat4& m, const glm::vec3& p_object) {
   return corner;
 }
 
-Facing facing(raster::Cull cull, const std::array<ClipCorner, 3>& corners) {
-  if (cull == raster::Cull::none) return Facing::kept;
+namespace {
+
+/// Of corners whose x, y and w are at most 1.
+Facing facing_of_scaled(raster::Cull cull, const std::array<ClipCorner, 3>& corners) {
   const glm::dvec4 &a = corners[0].p, &b = corners[1].p, &c = corners[2].p;
   const double det = (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w)) + a.w * (b.x * c.y - c.x * b.y);
   // The sum of the six products' sizes, and the same with every factor as large as its error allows: the difference
@@ -41,10 +44,27 @@ Facing facing(raster::Cull cull, const std::array<ClipCorner, 3>& corners) {
            p[0].w * (p[1].x * p[2].y + p[2].x * p[1].y);
   };
   const double largest = size(1.0);
-  const double bound = 2.0 * (largest - size(0.0)) + 0x1p-48 * largest;
-  if (!(std::abs(det) > bound)) return Facing::doubtful;  // so is NaN
+  const double bound = 2.0 * (largest - size(0.0)) + 0x1p-48 * largest + 0x1p-900;  // and what underflows
+  if (!(std::abs(det) > bound)) return Facing::doubtful;                            // so is NaN
   const bool front = det > 0.0;
   return front == (cull == raster::Cull::back) ? Facing::kept : Facing::dropped;
+}
+
+}  // namespace
+
+Facing facing(raster::Cull cull, const std::array<ClipCorner, 3>& corners) {
+  if (cull == raster::Cull::none) return Facing::kept;
+  // Each corner divided by a power of two of its own: exact, and of no matter to the sign. No product can overflow.
+  std::array<ClipCorner, 3> scaled = corners;
+  for (ClipCorner& c : scaled) {
+    int exponent = 0;
+    static_cast<void>(std::frexp(std::max({std::abs(c.p.x), std::abs(c.p.y), std::abs(c.p.w)}), &exponent));
+    for (int i = 0; i < 4; ++i) {
+      c.p[i] = std::ldexp(c.p[i], -exponent);
+      c.error[i] = std::ldexp(c.error[i], -exponent);
+    }
+  }
+  return facing_of_scaled(cull, scaled);
 }
 
 }  // namespace lode::experiments::truth

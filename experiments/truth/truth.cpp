@@ -176,6 +176,7 @@ Status run_truth(const TruthOptions& options, const CommonOptions& common, const
   std::optional<WholeFile> map;
   if (options.map) map.emplace(*options.map);
   const SceneView view = open_view(request.view);
+  refuse_to_replace(view.scene.files, options.outputs, options.map);
   Status status = Status::done;
   try {
     status = run(options, request, view, common, streams, files, map);

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/image_file/read_picture.h"
 #include "geometry/input_file.h"
@@ -22,6 +23,9 @@ class ModelFiles {
   /// The file's bytes. Errors begin with `referrer` (the place that names the file) unless that is empty.
   [[nodiscard]] FileBytes read(const std::string& path, const std::string& referrer);
   [[nodiscard]] Picture read_picture(const std::string& path, const std::string& referrer);
+
+  /// All that have been read.
+  [[nodiscard]] std::vector<std::string> paths() const { return {seen_.begin(), seen_.end()}; }
 
   MemoryBudget budget;
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <array>
 
 #include "tests/geometry/model_reading.h"
@@ -82,10 +84,10 @@ TEST(ObjFile, PolygonsAreTrianglesInTheFilesOrder) {
 }
 
 TEST(ObjFile, NormalsThatLackAreSmooth) {
-  // A right angle between two squares of equal size: along the edge that they share, halfway between their normals.
-  const Mesh mesh = read(kSquare + "v 0 0 1\nv 1 0 1\nf 1 2 3 4\nf 1 5 6 2\n").meshes.at(0);
-  const float h = 0.70710678f;
-  EXPECT_EQ(mesh.normals[0], glm::vec3(0, h, h));
+  // Two faces that meet at 45°: of each, two triangles have a corner at vertex 0, with area normals (0, 0, 1) and
+  // (0, −1, 1).
+  const Mesh mesh = read(kSquare + "v 0 -1 -1\nv 1 -1 -1\nf 1 2 3 4\nf 1 5 6 2\n").meshes.at(0);
+  EXPECT_EQ(mesh.normals[0], glm::vec3(glm::normalize(glm::dvec3(0, -1, 2))));
   EXPECT_EQ(mesh.normals[2], glm::vec3(0, 0, 1));
   // Where some corners have normals, those stay.
   const Mesh some = read(kSquare + "vn 5 0 0\nf 1//1 2 3\n").meshes.at(0);

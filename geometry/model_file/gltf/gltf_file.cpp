@@ -95,7 +95,9 @@ class SceneReader {
 
 Scene read_gltf(const std::string& path) {
   ModelFiles files(path);
-  return SceneReader(files).read();
+  Scene scene = SceneReader(files).read();
+  scene.files = files.paths();
+  return scene;
 }
 
 }  // namespace lode::geometry

@@ -128,10 +128,11 @@ class ObjReader {
     face_.clear();
     triangles_.clear();
     for (const ObjCorner& corner : element_) face_.push_back(data_.positions[corner.position]);
-    if (!triangulate(face_, triangles_)) {
+    if (!triangulate(face_, triangles_, &n_ear_tests_)) {
       lines_.fail("a concave face of " + std::to_string(face_.size()) + " vertices: expected at most " +
                   std::to_string(kMaxConcaveCorners));
     }
+    if (n_ear_tests_ > kMaxEarTests) lines_.fail("too many concave faces of many vertices: expected triangles");
     for (const std::uint32_t corner : triangles_) add_corner(to, element_[corner]);
   }
 
@@ -225,13 +226,16 @@ class ObjReader {
   std::vector<ObjCorner> element_;
   std::vector<glm::vec3> face_;
   std::vector<std::uint32_t> triangles_;
+  std::uint64_t n_ear_tests_ = 0;
 };
 
 }  // namespace
 
 Scene read_obj(const std::string& path) {
   ModelFiles files(path);
-  return ObjReader(files).read();
+  Scene scene = ObjReader(files).read();
+  scene.files = files.paths();
+  return scene;
 }
 
 }  // namespace lode::geometry

@@ -161,9 +161,12 @@ class PlyReader {
       corners_.push_back(checked_index(index, i, element));
       face_.push_back(mesh_.positions[corners_.back()]);
     }
-    if (!triangulate(face_, triangles_)) {
+    if (!triangulate(face_, triangles_, &n_ear_tests_)) {
       rows_->fail("face " + std::to_string(i) + ": concave, of " + std::to_string(face_.size()) +
                   " vertices: expected at most " + std::to_string(kMaxConcaveCorners));
+    }
+    if (n_ear_tests_ > kMaxEarTests) {
+      rows_->fail("face " + std::to_string(i) + ": too many concave faces of many vertices: expected triangles");
     }
     for (const std::uint32_t corner : triangles_) mesh_.indices.push_back(corners_[corner]);
   }
@@ -213,6 +216,7 @@ class PlyReader {
   std::size_t longest_face_ = 16;
   std::vector<std::uint32_t> corners_, triangles_;
   std::vector<glm::vec3> face_;
+  std::uint64_t n_ear_tests_ = 0;
 };
 
 }  // namespace
@@ -223,6 +227,7 @@ Scene read_ply(const std::string& path) {
   material.double_sided = true;
   Scene scene = scene_of(PlyReader(files).read(), material);
   scene.name = path;
+  scene.files = files.paths();
   return scene;
 }
 

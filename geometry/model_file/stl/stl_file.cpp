@@ -118,6 +118,7 @@ Scene read_stl(const std::string& path) {
   material.double_sided = true;
   Scene scene = scene_of(with_flat_normals(mesh), material);
   scene.name = path;
+  scene.files = files.paths();
   return scene;
 }
 
