@@ -217,6 +217,37 @@ TEST(Render, AFailureLeavesNothingBehind) {
   EXPECT_THAT(directory.names(), ElementsAre("a.png", "s.json"));
 }
 
+TEST(Render, NeverReplacesWhatTheSceneIsReadFrom) {
+  const TemporaryDirectory directory;
+  write_text(directory / "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+  write_text(directory / "a.mtl", "newmtl m\nKd 1 0 0\n");
+  for (const char* file : {"a.obj", "a.mtl"}) {
+    const Outcome run = render({directory / "a.obj", "--size", "8x8", "--stats", directory / file});
+    EXPECT_EQ(run.status, 2) << file;
+    EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+  }
+  EXPECT_EQ(file_text(directory / "a.mtl"), "newmtl m\nKd 1 0 0\n");
+  EXPECT_THAT(directory.names(), ElementsAre("a.mtl", "a.obj"));
+}
+
+TEST(Render, ViewsBeyondTheRenderersRangeAreRefused) {
+  // 1/tan of half the angle is 1e200 times a coordinate of 1: beyond 2^300, where clip coordinates end.
+  expect_bad_input({"cube", "--eye", "0,0,3", "--look-at", "0,0,0", "--fov", "1e-200"}, "cube: with this camera");
+  expect_bad_input({"cube", "--eye", "0,0,3", "--look-at", "0,0,0", "--near", "1e-50"}, "expected a larger --near");
+}
+
+TEST(Render, AScenesDefaultViewStandsFarFromTheOriginAndAtAnySize) {
+  const TemporaryDirectory directory;
+  for (const char* size : {"1e17", "1e30", "1e-30"}) {
+    const std::string s(size);
+    write_text(directory / "a.obj", "v " + s + " 0 0\nv 0 " + s + " 0\nv 0 0 " + s + "\nf 1 2 3\n");
+    const Outcome run = render({directory / "a.obj", "--size", "16x16", "--ids", directory / "ids.npy"});
+    EXPECT_EQ(run.status, 0) << size << ": " << run.err;
+    const std::string ids = read_npy(directory / "ids.npy").bytes;
+    EXPECT_EQ(ids[8 * (16 * 8 + 8)], '\0') << size;  // the middle of the picture shows it
+  }
+}
+
 TEST(Render, HelpHasExamplesThatRun) {
   const Outcome run = render({"--help"});
   EXPECT_EQ(run.status, 0);

@@ -41,6 +41,18 @@ TEST(Truth, CheckPrintsHowEveryPixelIsExplained) {
   EXPECT_TRUE(json["edge_bound_holds"]);
 }
 
+TEST(Truth, ScenesOfAnySizeAreTracedInASpaceOfSizeOne) {
+  // Squares of 1e30 and of 1e-30 are beyond floats; no pixel may be lost to that.
+  const TemporaryDirectory directory;
+  for (const char* size : {"1e30", "1e-30"}) {
+    const std::string s(size);
+    write_text(directory / "a.obj", "v " + s + " 0 0\nv 0 " + s + " 0\nv 0 0 " + s + "\nf 1 2 3\n");
+    const Outcome run = truth({directory / "a.obj", "--check", "--size", "48x48"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_LE(nlohmann::json::parse(run.out)["different"], 2) << size;
+  }
+}
+
 TEST(Truth, CheckLeavesOutWhatBlends) {
   const Outcome run = truth({"alpha", "--check", "--size", "64x48"});
   EXPECT_EQ(run.status, 0) << run.err;
