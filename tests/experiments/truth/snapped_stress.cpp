@@ -1,7 +1,7 @@
 /// Raster and Embree on the very same, snapped triangles: window coordinates are whole numbers of 1/256 px, which
 /// floats hold exactly, seen by orthographic rays through the pixels' centres. Where integers say that a sample lies
 /// strictly inside exactly one front-most triangle, both must show it; on an edge, one of the triangles that touch the
-/// sample.
+/// sample. Beside all triangles Embree may be wrong by a hair, and that is counted.
 
 #include <gtest/gtest.h>
 
@@ -64,6 +64,17 @@ int side(const WindowTriangles& t, std::size_t k, glm::ivec2 s) {
   return least > 0 ? 1 : (least == 0 ? 0 : -1);
 }
 
+/// By how much the sample misses the triangle: its largest negative edge value, 0 if it touches it.
+std::int64_t miss(const WindowTriangles& t, std::size_t triangle, glm::ivec2 s) {
+  const glm::ivec2 a = t.p_fx8[3 * triangle], b = t.p_fx8[3 * triangle + 1], c = t.p_fx8[3 * triangle + 2];
+  const std::int64_t sign = edge(a, b, c) > 0 ? 1 : -1;
+  return -std::min({sign * edge(a, b, s), sign * edge(b, c, s), sign * edge(c, a, s), std::int64_t{0}});
+}
+
+/// Embree's robust test computes edge values in float and lets a ray meet a triangle that it misses by their rounding:
+/// 2^-22 of the two products, each at most kSide_fx8².
+constexpr std::int64_t kHair = std::int64_t{2} * kSide_fx8 * kSide_fx8 >> 22;
+
 /// What may be shown: the triangles that touch the sample up to the first that it is strictly inside of.
 struct Allowed {
   std::vector<std::uint32_t> touching;  ///< nearest first
@@ -102,7 +113,7 @@ raster::Image rasterized(const WindowTriangles& t) {
 
 TEST(SnappedStress, RasterAndEmbreeAgreeStrictlyInside) {
   const std::uint64_t n_samples = tests::stress_count(10'000'000);
-  std::uint64_t n_certain = 0, n_on_edges = 0, n_raster_wrong = 0, n_embree_wrong = 0;
+  std::uint64_t n_certain = 0, n_on_edges = 0, n_raster_wrong = 0, n_embree_wrong = 0, n_by_a_hair = 0;
   for (std::uint64_t i = 0; i * kSide_px * kSide_px < n_samples; ++i) {
     Random random(5, 1, i);
     const WindowTriangles t = random_triangles(random, 1 + int(random.below(40)));
@@ -124,16 +135,19 @@ TEST(SnappedStress, RasterAndEmbreeAgreeStrictlyInside) {
         const auto hit = scene.nearest({.origin = glm::vec3(glm::vec2(s), 0.0f)});
         const std::uint32_t by_rays = hit ? hit->primitive : raster::kNoId;
         n_raster_wrong += !permits(a, by_raster);
-        n_embree_wrong += !permits(a, by_rays);
-        if (a.certain && by_raster != by_rays) {
-          ADD_FAILURE() << "case " << i << ", sample " << s.x << "," << s.y << ": raster " << by_raster << ", rays "
-                        << by_rays;
+        const bool by_a_hair = a.touching.empty() && hit && miss(t, by_rays, s) <= kHair;
+        n_by_a_hair += by_a_hair;
+        n_embree_wrong += !by_a_hair && !permits(a, by_rays);
+        if (a.certain && by_raster != by_rays && !by_a_hair) {
+          ADD_FAILURE() << "missed by " << (hit ? miss(t, by_rays, s) : 0) << ", case " << i << ", sample " << s.x
+                        << "," << s.y << ": raster " << by_raster << ", rays " << by_rays;
         }
       }
     }
   }
-  std::printf("[  COUNT   ] samples strictly inside or outside: %llu, on edges: %llu\n",
-              static_cast<unsigned long long>(n_certain), static_cast<unsigned long long>(n_on_edges));
+  std::printf("[  COUNT   ] samples strictly inside or outside: %llu, on edges: %llu, missed by a hair: %llu\n",
+              static_cast<unsigned long long>(n_certain), static_cast<unsigned long long>(n_on_edges),
+              static_cast<unsigned long long>(n_by_a_hair));
   EXPECT_EQ(n_raster_wrong, 0u);
   EXPECT_EQ(n_embree_wrong, 0u);
   EXPECT_GT(n_on_edges, n_samples / 100);
