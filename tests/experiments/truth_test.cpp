@@ -79,7 +79,8 @@ TEST(Truth, ToursOptionsGiveTheSameView) {
   const Arguments scene = {"torus:segments=16,sides=8", "--size", "48x48"};
   Arguments tour = scene;
   tour.push_back("--tour");
-  for (const nlohmann::json& stop : nlohmann::json::parse(truth(tour).out)["cameras"]) {
+  const nlohmann::json toured = nlohmann::json::parse(truth(tour).out);
+  for (const nlohmann::json& stop : toured["cameras"]) {
     Arguments alone = scene;
     alone.push_back("--check");
     std::istringstream words(stop["options"].get<std::string>());

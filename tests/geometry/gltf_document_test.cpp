@@ -94,7 +94,7 @@ TEST(GltfDocumentErrors, BuffersThatAreNotThereAreNamed) {
   const TemporaryFolder folder;
   GltfBuilder file = triangle();
   const auto error = [&](const json& buffer) {
-    file.json["buffers"] = {buffer};
+    file.json["buffers"] = json::array({buffer});
     return model_error(folder.write("a.gltf", file.json.dump()));
   };
   EXPECT_EQ(error({{"byteLength", 36}, {"uri", "no.bin"}}),

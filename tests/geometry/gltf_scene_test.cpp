@@ -283,7 +283,7 @@ TEST(GltfTextures, SamplersBecomeWrapsAndOneFilter) {
   const auto use = [](const json& sampler) {
     GltfBuilder file = textured();
     file.json["textures"][0]["sampler"] = 0;
-    file.json["samplers"] = {sampler};
+    file.json["samplers"] = json::array({sampler});
     return *read(file).materials[0].color_texture;
   };
   EXPECT_EQ(*read(textured()).materials[0].color_texture, TextureUse{});  // trilinear, repeat
