@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/shortened.h"
+
 namespace lode::experiments {
 
 /// The program's exit statuses.
@@ -22,7 +24,6 @@ class Error : public std::runtime_error {
 /// The text with every control character (a line break in a file name, say) made '?'.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// The text if it has at most `n_max` bytes, else its beginning and its end around "...".
-[[nodiscard]] std::string shortened(std::string_view text, std::size_t n_max);
+using geometry::shortened;
 
 }  // namespace lode::experiments

@@ -1,14 +1,15 @@
 #include "experiments/lodestone.h"
 
 #include <CLI/CLI.hpp>
-#include <istream>
+#include <algorithm>
 #include <limits>
 #include <new>
 #include <ostream>
+#include <span>
 #include <string>
+#include <vector>
 
-#include "experiments/common_options.h"
-#include "experiments/draw/draw_command.h"
+#include "experiments/command.h"
 #include "experiments/error.h"
 #include "geometry/error.h"
 #include "raster/error.h"
@@ -17,43 +18,12 @@
 namespace lode::experiments {
 namespace {
 
-constexpr const char* kExamples =
-    "Examples:\n"
-    "  lodestone draw picture.json --out picture.png\n"
-    "  lodestone draw picture.json --print\n"
-    "  lodestone draw picture.json --depth depth.npy --ids ids.npy --stats -\n"
-    "  echo '{\"size\": [9, 9], \"draws\": [{\"triangles\": [[1,1,0.5], [1,8,0.5], [8,8,0.5]]}]}' |\n"
-    "    lodestone draw - --print\n"
-    "\n"
-    "Exit status: 0 done, 1 a check or comparison failed, 2 wrong usage, 3 bad input, 4 the machine failed.\n";
-
-constexpr const char* kDrawFooter =
-    "Files: colour .png .exr .npy; depth and ids .exr .npy. Row 0 is the top. Depth is 1 near, 0 far or nothing;\n"
-    "ids are 4294967295 twice where nothing was drawn. All outputs appear whole, together, or not at all.\n"
-    "Without any output the picture is only checked.\n"
-    "\n"
-    "A picture:\n"
-    "  {\"size\": [64, 64], \"unit\": \"px\", \"clear\": [0,0,0,255], \"draws\": [\n"
-    "    {\"triangles\": [[2,2,0.5], [2,60,0.5], [60,2,0.5]], \"color\": [255,0,0,255]},\n"
-    "    {\"lines\": [[0,0,0.6], [64,64,0.6]], \"stipple\": {\"pattern\": 13107, \"factor\": 1}}]}\n"
-    "\n"
-    "At the top: size, unit (\"px\" or \"1/256\"), clear, samples, clip_from_world, scissor, draws.\n"
-    "A draw has one geometry: triangles, quads, lines, line_strip, points (x, y in the unit, y down, z in [0, 1],\n"
-    "1 near), the same in clip space: clip, clip_quads, clip_lines, clip_line_strip, clip_points (x, y, z, w), or\n"
-    "discs {center, radius}, surfels {center, normal, radius}. Also: color, colors, uv, texture {size, rgba,\n"
-    "filter, wrap, wrap_u, wrap_v, border, max_anisotropy, mips}, alpha_test, cull, blend, depth_test,\n"
-    "depth_write, scissor, stipple {pattern, factor} (lines), point_size (points).\n"
-    "Values: filter nearest|bilinear|trilinear|anisotropic, wrap repeat|mirror|clamp|border, cull none|back|front,\n"
-    "blend none|over|add, samples a power of two up to 128. Defaults: clear [0,0,0,255], color [255,255,255,255],\n"
-    "filter nearest, wrap repeat, cull and blend none, depth_test true, depth_write true without blending.\n";
-
 /// Options as they stand on the command line, before they are checked.
 struct CommandLine {
   CommonOptions common;
   std::string target = "best";
   std::string pipeline = "fast";
   std::string skip = "all";
-  DrawOptions draw;
 };
 
 void add_common_options(CLI::App& app, CommandLine& line) {
@@ -66,27 +36,40 @@ void add_common_options(CLI::App& app, CommandLine& line) {
   app.add_option("--target", line.target, "best, scalar, sse4, avx2, avx512, neon or wasm (default best)")
       ->option_text("NAME");
   app.add_option("--pipeline", line.pipeline, "fast or reference (default fast)")->option_text("NAME");
-  app.add_option("--skip", line.skip, "all, none or a list: the renderer's skips that are on (default all)")
+  app.add_option("--skip", line.skip,
+                 "all or none: the renderer's skips that are on (default all; today it has none to switch)")
       ->option_text("LIST");
-  app.footer(std::string("--threads, --target, --pipeline and --skip move no pixel. Today there is one pipeline, the reference;\n"
-                         "--stats says what ran.\n\n") +
-             kExamples);
 }
 
-CLI::App* add_draw(CLI::App& app, DrawOptions& draw) {
-  CLI::App* const command = app.add_subcommand("draw", "Draw a handful of primitives from a JSON file");
-  command->fallthrough();  // common options may follow the command's name
-  command->add_option("PICTURE", draw.picture, "The picture's JSON; - is standard input")->required();
-  command->add_option("--out", draw.out, "Colour to F (.png, .exr, .npy)")->option_text("F");
-  command->add_option("--depth", draw.depth, "Depth to F (.exr, .npy)")->option_text("F");
-  command->add_option("--ids", draw.ids, "Draw and primitive of each pixel to F (.exr, .npy)")->option_text("F");
-  command->add_flag("--print", draw.print, "The picture as text: a letter per draw, '.' for nothing");
-  command
-      ->add_option("--stats", draw.stats,
-                   "Samples covered and visible, counters and hashes, as JSON to F (- is stdout)")
-      ->option_text("F|-");
-  command->footer(kDrawFooter);
-  return command;
+/// "Examples:" and the lines, indented.
+std::string examples_text(std::span<const std::string> lines) {
+  std::string text = "Examples:\n";
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  return text;
+}
+
+/// The common options, in the help of every command.
+constexpr const char* kCommonOptionsText =
+    "Also, before or after the command: --quiet, --threads N, --target NAME, --pipeline NAME, --skip LIST, --version;\n"
+    "lodestone --help tells more.\n\n";
+
+std::string program_footer(std::span<const Command> commands) {
+  std::vector<std::string> examples;
+  for (const Command& command : commands) examples.push_back(command.examples.front());
+  return "--threads, --target, --pipeline and --skip move no pixel. Today there is one pipeline, the reference;\n"
+         "--stats says what ran. `lodestone COMMAND --help` tells more about each command.\n\n" +
+         examples_text(examples) +
+         "\nExit status: 0 done, 1 a check or comparison failed, 2 wrong usage, 3 bad input, 4 the machine failed.\n";
+}
+
+/// The part of the command line that is the command's.
+CLI::App* add_command(CLI::App& app, const Command& command) {
+  CLI::App* const part = app.add_subcommand(command.name, command.summary);
+  part->fallthrough();  // common options may follow the command's name
+  command.add_options(*part);
+  part->footer((command.footer.empty() ? "" : command.footer + "\n") + kCommonOptionsText +
+               examples_text(command.examples));
+  return part;
 }
 
 /// Sets the common options that are words.
@@ -107,47 +90,57 @@ int fail(std::ostream& err, Status status, std::string_view message) {
 }
 
 /// What CLI11 found wrong, in one line.
-int fail_parse(std::ostream& err, const CLI::App& app, const CLI::ParseError& error) {
+int fail_parse(std::ostream& err, const CLI::App& app, std::span<const Command> commands,
+               const CLI::ParseError& error) {
   const std::vector<std::string> rest = app.remaining();
   if (app.get_subcommands().empty() && !rest.empty() && !rest.front().starts_with("-")) {
-    return fail(err, Status::wrong_usage, "unknown command \"" + shortened(rest.front(), 40) + "\": expected draw");
+    std::string names;
+    for (const Command& command : commands) names += (names.empty() ? "" : ", ") + command.name;
+    return fail(err, Status::wrong_usage, "unknown command \"" + shortened(rest.front(), 40) + "\": expected " + names);
   }
   return fail(err, Status::wrong_usage, std::string(error.what()) + " (--help tells more)");
 }
 
-int run(int argc, const char* const* argv, std::istream& in, std::ostream& out, std::ostream& err) {
+int run(int argc, const char* const* argv, const Streams& streams) {
   CLI::App app("Lodestone, a deterministic rasterizer: the same bytes on every machine.", "lodestone");
   CommandLine line;
   app.require_subcommand(1);
   add_common_options(app, line);
-  const CLI::App* const draw_command = add_draw(app, line.draw);
+  const std::vector<Command> commands = all_commands();
+  std::vector<const CLI::App*> parts;
+  for (const Command& command : commands) parts.push_back(add_command(app, command));
+  app.footer(program_footer(commands));
   if (argc <= 1) {
-    err << app.help();
+    streams.err << app.help();
     return int(Status::wrong_usage);
   }
 
+  const auto parsed = [](const CLI::App* part) { return part->parsed(); };
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
+    const auto part = std::find_if(parts.begin(), parts.end(), parsed);
     if (success.get_name() == "CallForVersion") {
-      out << success.what() << std::endl;
+      streams.out << success.what() << std::endl;
     } else {
-      out << (draw_command->parsed() ? draw_command->help("lodestone") : app.help()) << std::flush;
+      streams.out << (part != parts.end() ? (*part)->help("lodestone") : app.help()) << std::flush;
     }
-    return out ? int(Status::done) : fail(err, Status::machine_failed, "standard output: cannot be written");
+    return streams.out ? int(Status::done)
+                       : fail(streams.err, Status::machine_failed, "standard output: cannot be written");
   } catch (const CLI::ParseError& error) {
-    return fail_parse(err, app, error);
+    return fail_parse(streams.err, app, commands, error);
   }
   read_common_options(line);
-  draw(line.draw, line.common, in, out);
-  return int(Status::done);
+  const auto chosen = std::find_if(parts.begin(), parts.end(), parsed) - parts.begin();
+  return int(commands[std::size_t(chosen)].run(line.common, streams));
 }
 
 }  // namespace
 
-int run_lodestone(int argc, const char* const* argv, std::istream& in, std::ostream& out, std::ostream& err) {
+int run_lodestone(int argc, const char* const* argv, const Streams& streams) {
+  std::ostream& err = streams.err;
   try {
-    return run(argc, argv, in, out, err);
+    return run(argc, argv, streams);
   } catch (const Error& error) {
     return fail(err, error.status(), error.what());
   } catch (const geometry::Error& error) {

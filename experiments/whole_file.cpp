@@ -21,6 +21,7 @@ char temporary_names[kMaxFiles][PATH_MAX];
 std::atomic<bool> slot_taken[kMaxFiles];
 std::atomic<bool> publishing{false};
 std::atomic<int> waiting_signal{0};
+std::atomic<bool> clearing_line{false};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 extern "C" void remove_and_die(int signal_number) {
@@ -31,6 +32,8 @@ extern "C" void remove_and_die(int signal_number) {
   for (int slot = 0; slot < kMaxFiles; ++slot) {
     if (slot_taken[slot]) ::unlink(temporary_names[slot]);
   }
+  constexpr char kClearLine[] = "\r\033[K";
+  if (clearing_line && ::write(STDERR_FILENO, kClearLine, sizeof kClearLine - 1) < 0) clearing_line = false;
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
 }
@@ -128,9 +131,11 @@ void publish(std::initializer_list<WholeFile*> files) {
   if (error != 0) throw Error(Status::machine_failed, failed + ": cannot be written: " + std::strerror(error));
 }
 
+void clear_terminal_line_on_signals(bool clear) noexcept { clearing_line = clear; }
+
 void remove_temporary_files_on_signals() {
   ::signal(SIGXFSZ, SIG_IGN);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU, SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM}) {
     struct sigaction action = {};
     if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) continue;  // nohup, say
     action = {};

@@ -1,8 +1,8 @@
 #pragma once
 /// Output files that appear whole or not at all. Bytes go to a temporary file in the output's own directory;
 /// `publish` renames the temporaries of a command when all of them are complete. Whatever ends the command
-/// before that (an error, an exception, SIGINT, SIGTERM, SIGHUP, SIGPIPE) removes them and leaves older files
-/// of the same names as they were.
+/// before that (an error, an exception, a signal from outside that can be caught) removes them and leaves older
+/// files of the same names as they were.
 
 #include <initializer_list>
 #include <string>
@@ -33,6 +33,9 @@ class WholeFile {
 /// Closes the files and, if every byte of all of them was written, renames them to where they belong. Null
 /// pointers are skipped. A signal that arrives meanwhile waits. Throws Error (machine_failed).
 void publish(std::initializer_list<WholeFile*> files);
+
+/// Whether the signals above also clear the line that standard error's cursor is in (progress is shown there).
+void clear_terminal_line_on_signals(bool clear) noexcept;
 
 /// Handles the signals above, where they are not ignored, until the process ends; SIGXFSZ (file too large)
 /// becomes an ordinary write error. Called once, by the program.

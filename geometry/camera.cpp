@@ -96,12 +96,21 @@ Camera framing_camera(const Bounds& bounds, glm::ivec2 size_px) {
   const double diagonal = bounds.diagonal() > 0.0 && std::isfinite(bounds.diagonal()) ? bounds.diagonal() : 1.0;
   Camera camera;
   camera.near = diagonal / 1000.0;
-  // From where the ball around the box fits the narrower of the two angles, 15° above the horizon.
-  const glm::dvec2 half = half_extent(camera, size_px);
-  const double narrow = std::fmin(half.x, half.y);
-  const double distance = 0.5 * diagonal * std::sqrt(1.0 + narrow * narrow) / narrow;
   const SinCos above = sin_cos(kPi / 12.0);
-  look_at(camera, centre + distance * glm::dvec3(0.0, above.sin, above.cos), centre);
+  set_frame(camera, glm::dvec3(0.0, above.sin, above.cos), glm::dvec3(0.0, 1.0, 0.0));
+  // As near as shows every corner with a twentieth of the picture to spare: |x| ≤ 0.9 half.x (distance − z), likewise y.
+  const glm::dvec2 half = 0.9 * half_extent(camera, size_px);
+  double distance = 2.0 * camera.near;
+  const glm::dvec3 to_corner = bounds.diagonal() > 0.0 && std::isfinite(bounds.diagonal())
+                                   ? 0.5 * bounds.high - 0.5 * bounds.low
+                                   : glm::dvec3(0.5);
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 corner = to_corner * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    const double x = std::fabs(glm::dot(corner, camera.right)), y = std::fabs(glm::dot(corner, camera.up));
+    distance = std::fmax(distance, glm::dot(corner, camera.back) + std::fmax(x / half.x, y / half.y));
+    distance = std::fmax(distance, glm::dot(corner, camera.back) + 2.0 * camera.near);
+  }
+  camera.eye = centre + distance * camera.back;
   return camera;
 }
 

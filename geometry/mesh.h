@@ -38,8 +38,12 @@ struct Mesh {
 /// sec. 3.7.2.1, asks for this where a file has no normals. Only for triangles.
 [[nodiscard]] Mesh with_flat_normals(const Mesh& mesh);
 
-/// Normals at the vertices, [n]: the sum of the adjacent triangles' normals, weighted by area, of unit length, or
-/// (0,0,0). Vertices at bitwise equal positions share one normal. Deterministic: sums run in index order, in double.
-[[nodiscard]] std::vector<glm::vec3> smooth_normals(const Mesh& mesh);
+/// A copy in which every vertex without a normal, or with (0,0,0), has one: at each corner the sum of the normals,
+/// weighted by area, of the triangles at its position that are turned from its own by at most 60°, of unit length. So
+/// creases stay sharp, and a surface that is there twice, once from either side, does not cancel. A vertex whose
+/// corners differ becomes several. Vertices at bitwise equal positions are one; where more than 256 corners meet, each
+/// has its triangle's own normal; (0,0,0) where a triangle has no area. Only for triangles. Deterministic: sums run in
+/// index order, in double.
+[[nodiscard]] Mesh with_smooth_normals(const Mesh& mesh);
 
 }  // namespace lode::geometry

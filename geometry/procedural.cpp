@@ -127,8 +127,7 @@ Mesh terrain(double size, int cells, double height, std::uint64_t seed) {
       add_triangle(mesh, v(1, 0), v(0, 1), v(1, 1));
     }
   }
-  mesh.normals = smooth_normals(mesh);
-  return mesh;
+  return with_smooth_normals(mesh);
 }
 
 std::uint32_t add_instance(Scene& scene, Mesh mesh, const Material& material, const glm::dmat4& world_from_object) {

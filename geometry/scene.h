@@ -38,6 +38,7 @@ struct SceneCamera {
 
 struct Scene {
   std::string name;  ///< for messages: the file's path, or the built-in's name with its parameters
+  std::vector<std::string> files;  ///< that it was read from: nothing may overwrite them
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Picture> pictures;

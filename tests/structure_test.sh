@@ -45,9 +45,11 @@ door 'hwy/' 'raster/'
 door 'boost/' '(raster/|geometry/predicates)'
 door 'embree' 'geometry/ray_query'
 door 'OpenImageIO/' 'geometry/image_file'
-door 'assimp/' 'geometry/model_file'
-door '(CLI|nlohmann|openssl)/' 'experiments/'
-door '(gtest|gmock|benchmark|gmp|gmpxx|mpfr)[./]' 'tests/'
+door 'png\.h' 'geometry/image_file/decode_png'
+door 'nlohmann/' '(geometry/json/|geometry/model_file/|experiments/)'
+door '(CLI|openssl)/' 'experiments/'
+door 'gmpxx[.]' 'experiments/truth/rational'
+door '(gtest|gmock|benchmark|gmp|mpfr)[./]' 'tests/'
 
 # ---- What the pages name exists ----
 files() {

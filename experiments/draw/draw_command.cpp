@@ -1,180 +1,56 @@
 #include "experiments/draw/draw_command.h"
 
-#include <filesystem>
-#include <istream>
-#include <ostream>
-#include <span>
-#include <vector>
+#include <CLI/CLI.hpp>
+#include <memory>
 
-#include "experiments/draw/draw_stats.h"
-#include "experiments/draw/picture.h"
-#include "experiments/draw/print_picture.h"
-#include "experiments/draw/read_picture.h"
-#include "experiments/error.h"
-#include "experiments/whole_file.h"
-#include "geometry/image_file.h"
-#include "raster/error.h"
-#include "raster/parallel.h"
-#include "raster/render.h"
+#include "experiments/draw/draw.h"
 
 namespace lode::experiments {
 namespace {
 
-/// An image file to be written, or nothing.
-struct ImageOutput {
-  std::optional<WholeFile> file;
-  geometry::ImageFormat format{};
-  explicit operator bool() const { return file.has_value(); }
-  WholeFile* get() { return file ? &*file : nullptr; }
-};
+constexpr const char* kFooter =
+    "Files: colour .png .exr .npy; depth and ids .exr .npy. Row 0 is the top. Depth is 1 near, 0 far or nothing;\n"
+    "ids are 4294967295 twice where nothing was drawn. All outputs appear whole, together, or not at all.\n"
+    "Without any output the picture is only checked.\n"
+    "\n"
+    "A picture:\n"
+    "  {\"size\": [64, 64], \"unit\": \"px\", \"clear\": [0,0,0,255], \"draws\": [\n"
+    "    {\"triangles\": [[2,2,0.5], [2,60,0.5], [60,2,0.5]], \"color\": [255,0,0,255]},\n"
+    "    {\"lines\": [[0,0,0.6], [64,64,0.6]], \"stipple\": {\"pattern\": 13107, \"factor\": 1}}]}\n"
+    "\n"
+    "At the top: size, unit (\"px\" or \"1/256\"), clear, samples, clip_from_world, scissor, draws.\n"
+    "A draw has one geometry: triangles, quads, lines, line_strip, points (x, y in the unit, y down, z in [0, 1],\n"
+    "1 near), the same in clip space: clip, clip_quads, clip_lines, clip_line_strip, clip_points (x, y, z, w), or\n"
+    "discs {center, radius}, surfels {center, normal, radius}. Also: color, colors, uv, texture {size, rgba,\n"
+    "filter, wrap, wrap_u, wrap_v, border, max_anisotropy, mips}, alpha_test, cull, blend, depth_test,\n"
+    "depth_write, scissor, stipple {pattern, factor} (lines), point_size (points).\n"
+    "Values: filter nearest|bilinear|trilinear|anisotropic, wrap repeat|mirror|clamp|border, cull none|back|front,\n"
+    "blend none|over|add, samples a power of two up to 128. Defaults: clear [0,0,0,255], color [255,255,255,255],\n"
+    "filter nearest, wrap repeat, cull and blend none, depth_test true, depth_write true without blending.\n";
 
-void open(const std::optional<std::string>& path, ImageOutput& output) {
-  if (!path) return;
-  output.format = *geometry::image_format(*path);
-  output.file.emplace(*path);
-}
-
-void check_ending(const char* option, const std::optional<std::string>& path, bool png_too) {
-  if (!path) return;
-  const auto format = geometry::image_format(*path);
-  if (format && (png_too || *format != geometry::ImageFormat::png)) return;
-  throw Error(Status::wrong_usage, std::string(option) + " " + *path + ": expected a file ending in " +
-                                       (png_too ? ".png, .exr or .npy" : ".exr or .npy"));
-}
-
-/// No file is named twice, the picture itself included.
-void check_distinct(const DrawOptions& options) {
-  std::vector<std::filesystem::path> seen;
-  const auto check = [&](const std::string& path) {
-    if (path == "-") return;
-    std::error_code error;
-    const auto resolved = std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
-    for (const auto& other : seen) {
-      if (other != resolved) continue;
-      throw Error(Status::wrong_usage, path + ": named twice: expected a file of its own for each");
-    }
-    seen.push_back(resolved);
-  };
-  check(options.picture);
-  for (const auto* path : {&options.out, &options.depth, &options.ids, &options.stats}) {
-    if (*path) check(**path);
-  }
-}
-
-void check_usage(const DrawOptions& options) {
-  if (options.print && options.stats == "-") {
-    throw Error(Status::wrong_usage, "--print --stats -: two outputs on one standard output");
-  }
-  check_ending("--out", options.out, true);
-  check_ending("--depth", options.depth, false);
-  check_ending("--ids", options.ids, false);
-  check_distinct(options);
-}
-
-/// What errors call the picture.
-std::string shown_name(const DrawOptions& options) {
-  return options.picture == "-" ? "standard input" : options.picture;
-}
-
-/// What can be wrong only when both the picture and the options are known.
-void check_picture(const DrawOptions& options, const Picture& picture) {
-  if (picture.samples_fx8.size() > 1 && (options.depth || options.ids || options.print)) {
-    throw Error(Status::wrong_usage, shown_name(options) + ": " + std::to_string(picture.samples_fx8.size()) +
-                                         " samples a pixel have no depth and no ids: expected \"samples\": 1 for "
-                                         "--depth, --ids and --print");
-  }
-  if (options.print && picture.size_px.x > kMaxPrintedColumns) {
-    throw Error(Status::bad_input, shown_name(options) + ": size: --print takes at most " +
-                                       std::to_string(kMaxPrintedColumns) + " columns, found " +
-                                       std::to_string(picture.size_px.x));
-  }
-}
-
-/// A picture with a name for errors, ready to be rendered any number of times.
-struct Rendering {
-  const Picture& picture;
-  std::string name;
-  std::vector<raster::Draw> draws;
-  int threads;
-
-  raster::Image render(raster::Planes planes, raster::RenderOptions options, raster::FrameStats* stats) const {
-    const raster::Frame frame{.draws = draws,
-                              .clear = picture.clear,
-                              .viewport = {},
-                              .scissor = picture.scissor,
-                              .samples_fx8 = picture.samples_fx8};
-    options.threads = threads;
-    try {
-      raster::Image image = raster::make_image(picture.size_px, raster::ColorFormat::rgba8, planes);
-      const raster::FrameStats counted = raster::render(frame, image, options);
-      if (stats) *stats = counted;
-      return image;
-    } catch (const raster::Error& error) {
-      const bool memory = error.kind() == raster::ErrorKind::out_of_memory;
-      throw Error(memory ? Status::machine_failed : Status::bad_input, name + ": " + error.what());
-    }
-  }
-};
-
-std::span<const std::uint32_t> as_numbers(const std::vector<raster::Ids>& ids) {
-  static_assert(sizeof(raster::Ids) == 2 * sizeof(std::uint32_t));
-  return {reinterpret_cast<const std::uint32_t*>(ids.data()), 2 * ids.size()};
+void add_options(CLI::App& app, DrawOptions& draw) {
+  app.add_option("PICTURE", draw.picture, "The picture's JSON; - is standard input")->required();
+  add_output_options(app, draw.outputs, "Samples covered and visible, counters and hashes, as JSON to F (- is stdout)");
+  app.add_flag("--print", draw.print, "The picture as text: a letter per draw, '.' for nothing");
 }
 
 }  // namespace
 
-void draw(const DrawOptions& options, const CommonOptions& common, std::istream& in, std::ostream& out) {
-  check_usage(options);
-
-  // Temporary files first: a place that cannot be written is known before any work is done.
-  ImageOutput color, depth, ids;
-  std::optional<WholeFile> stats_file;
-  open(options.out, color);
-  open(options.depth, depth);
-  open(options.ids, ids);
-  if (options.stats && options.stats != "-") stats_file.emplace(*options.stats);
-
-  const Picture picture = read_picture(read_text(options.picture, in), shown_name(options));
-  check_picture(options, picture);
-  const Rendering rendering{picture, shown_name(options), bound_draws(picture), common.threads};
-
-  // Text shows draws that write no ids, too: a render of its own, of ids alone.
-  std::string text;
-  if (options.print) {
-    const raster::Image image = rendering.render({.color = false, .depth = false, .ids = true},
-                                                 {.per_draw = {}, .ids_from_ordered_draws = true}, nullptr);
-    text = printed_picture(picture.size_px, image.ids);
-  }
-
-  // With no output at all the picture is drawn all the same: its errors are found, nothing is written.
-  if (!options.print || color || depth || ids || options.stats) {
-    // Statistics have hashes of all planes, so far as they exist.
-    const bool all = options.stats.has_value();
-    const bool single = picture.samples_fx8.size() == 1;
-    DrawReport report{
-        .picture = options.picture, .threads = raster::worker_count(common.threads), .counters = {}, .per_draw = {}};
-    std::vector<raster::DrawStats> per_draw(picture.draws.size());
-    report.per_draw = per_draw;
-    const raster::Image image =
-        rendering.render({.color = all || color, .depth = single && (all || depth), .ids = single && (all || ids)},
-                         {.per_draw = per_draw}, &report.counters);
-
-    if (color) geometry::write_color(color.file->file(), color.format, image.size_px, image.rgba8);
-    if (depth) geometry::write_depth(depth.file->file(), depth.format, image.size_px, image.depth);
-    if (ids) geometry::write_ids(ids.file->file(), ids.format, image.size_px, as_numbers(image.ids));
-    if (options.stats) {
-      const std::string json = draw_stats_json(report, image);
-      if (stats_file) {
-        stats_file->file().write(json.data(), json.size());
-      } else {
-        text = json;
-      }
-    }
-  }
-
-  out << text << std::flush;
-  if (!out) throw Error(Status::machine_failed, "standard output: cannot be written");
-  publish({color.get(), depth.get(), ids.get(), stats_file ? &*stats_file : nullptr});
+Command draw_command() {
+  const auto options = std::make_shared<DrawOptions>();
+  return {.name = "draw",
+          .summary = "Draw a handful of primitives from a JSON file",
+          .footer = kFooter,
+          .examples = {"lodestone draw picture.json --out picture.png", "lodestone draw picture.json --print",
+                       "lodestone draw picture.json --depth depth.npy --ids ids.npy --stats -",
+                       "echo '{\"size\": [9, 9], \"draws\": [{\"triangles\": [[1,1,0.5], [1,8,0.5], [8,8,0.5]]}]}' |\n"
+                       "    lodestone draw - --print"},
+          .add_options = [options](CLI::App& app) { add_options(app, *options); },
+          .run =
+              [options](const CommonOptions& common, const Streams& streams) {
+                draw(*options, common, streams.in, streams.out);
+                return Status::done;
+              }};
 }
 
 }  // namespace lode::experiments

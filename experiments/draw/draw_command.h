@@ -1,23 +1,10 @@
 #pragma once
-/// `lodestone draw`: a picture's JSON to files, text and statistics.
+/// `lodestone draw` on the command line.
 
-#include <iosfwd>
-#include <optional>
-#include <string>
-
-#include "experiments/common_options.h"
+#include "experiments/command.h"
 
 namespace lode::experiments {
 
-struct DrawOptions {
-  std::string picture;                         ///< a path, or "-" for standard input
-  std::optional<std::string> out, depth, ids;  ///< paths of image files
-  std::optional<std::string> stats;            ///< a path, or "-" for standard output
-  bool print = false;                          ///< the picture as text, to standard output
-};
-
-/// Runs the command. Throws Error, geometry::Error or raster::Error; then no output has appeared but what
-/// standard output had already taken.
-void draw(const DrawOptions& options, const CommonOptions& common, std::istream& in, std::ostream& out);
+[[nodiscard]] Command draw_command();
 
 }  // namespace lode::experiments

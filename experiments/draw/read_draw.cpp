@@ -11,6 +11,8 @@
 namespace lode::experiments {
 namespace {
 
+using geometry::JsonView;
+
 /// Keys that any draw may have.
 constexpr std::string_view kStateKeys[] = {"color", "colors", "uv",         "texture",     "alpha_test",
                                            "cull",  "blend",  "depth_test", "depth_write", "scissor"};

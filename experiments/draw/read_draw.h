@@ -3,8 +3,8 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "experiments/draw/json_view.h"
 #include "experiments/draw/picture.h"
+#include "geometry/json/json_view.h"
 
 namespace lode::experiments {
 
@@ -15,10 +15,10 @@ struct DrawContext {
 };
 
 /// All throw Error (bad_input) at the place that is wrong.
-[[nodiscard]] PictureDraw read_draw(const JsonView& view, const DrawContext& context);
+[[nodiscard]] PictureDraw read_draw(const geometry::JsonView& view, const DrawContext& context);
 /// [x, y, width, height] in px; empty and outside are fine, negative sizes are not.
-[[nodiscard]] raster::Rect read_rect(const JsonView& view);
+[[nodiscard]] raster::Rect read_rect(const geometry::JsonView& view);
 /// 16 numbers, column-major.
-[[nodiscard]] glm::dmat4 read_matrix(const JsonView& view);
+[[nodiscard]] glm::dmat4 read_matrix(const geometry::JsonView& view);
 
 }  // namespace lode::experiments

@@ -7,6 +7,7 @@
 namespace lode::experiments {
 namespace {
 
+using geometry::JsonView;
 using raster::Topology;
 
 constexpr GeometryKey kGeometryKeys[] = {

@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "experiments/draw/json_view.h"
 #include "experiments/draw/picture.h"
 #include "experiments/draw/read_draw.h"
+#include "geometry/json/json_view.h"
 
 namespace lode::experiments {
 
@@ -27,9 +27,10 @@ struct GeometryKey {
 [[nodiscard]] std::span<const GeometryKey> geometry_keys();
 
 /// Sets the draw's positions, and normals, radii and colours where the geometry has them.
-void read_geometry(const JsonView& view, const GeometryKey& key, const DrawContext& context, PictureDraw& draw);
+void read_geometry(const geometry::JsonView& view, const GeometryKey& key, const DrawContext& context,
+                   PictureDraw& draw);
 
 /// A length in the picture's unit, such as a point's size, in px. Lengths up to 65536 px are exact in float.
-[[nodiscard]] float read_length_px(const JsonView& view, const DrawContext& context);
+[[nodiscard]] float read_length_px(const geometry::JsonView& view, const DrawContext& context);
 
 }  // namespace lode::experiments

@@ -7,14 +7,17 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "experiments/draw/json_view.h"
-#include "experiments/draw/parse_json.h"
 #include "experiments/draw/read_draw.h"
 #include "experiments/error.h"
+#include "experiments/sample_positions.h"
+#include "geometry/json/json_view.h"
+#include "geometry/json/parse_json.h"
 #include "raster/image.h"
 
 namespace lode::experiments {
 namespace {
+
+using geometry::JsonView;
 
 /// A picture is a handful of primitives: what is longer was meant for something else.
 constexpr std::size_t kMaxText = std::size_t(256) << 20;
@@ -61,7 +64,7 @@ std::string read_text(const std::string& path, std::istream& standard_input) {
 }
 
 Picture read_picture(std::string_view json_text, const std::string& name) {
-  const nlohmann::json document = parse_json(json_text, name);
+  const nlohmann::json document = geometry::parse_json(json_text, name);
   const JsonView view(document, name);
   constexpr std::string_view kKeys[] = {"size", "unit", "clear", "samples", "clip_from_world", "scissor", "draws"};
   view.check_keys(kKeys);

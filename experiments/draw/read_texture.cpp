@@ -7,6 +7,8 @@
 namespace lode::experiments {
 namespace {
 
+using geometry::JsonView;
+
 raster::Wrap read_wrap(const JsonView& view) {
   using enum raster::Wrap;
   constexpr raster::Wrap kWraps[] = {repeat, mirror, clamp, border};

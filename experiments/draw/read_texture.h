@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "experiments/draw/json_view.h"
+#include "geometry/json/json_view.h"
 #include "raster/texture.h"
 
 namespace lode::experiments {
@@ -14,6 +14,6 @@ struct SampledTexture {
 };
 
 /// Throws Error (bad_input) at the place that is wrong.
-[[nodiscard]] SampledTexture read_texture(const JsonView& view);
+[[nodiscard]] SampledTexture read_texture(const geometry::JsonView& view);
 
 }  // namespace lode::experiments

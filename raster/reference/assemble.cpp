@@ -36,10 +36,6 @@ PixelBox bounds_over_samples(const T& shape, const Frame& frame) {
   return {first.begin_px, last.end_px};
 }
 
-bool culled(Cull cull, int sign) {  // sign: +1 counter-clockwise on screen, 0 neither
-  return (cull == Cull::back && sign <= 0) || (cull == Cull::front && sign >= 0);
-}
-
 /// Assembles primitives of one draw, in order, into `out`.
 class DrawAssembler {
  public:
@@ -318,6 +314,10 @@ PixelBox drawable_pixels(const Frame& frame, const Draw& draw, glm::ivec2 target
   if (frame.scissor) limits = intersect(limits, pixels_of(*frame.scissor));
   if (draw.scissor) limits = intersect(limits, pixels_of(*draw.scissor));
   return limits;
+}
+
+bool culled(Cull cull, int sign) {
+  return (cull == Cull::back && sign <= 0) || (cull == Cull::front && sign >= 0);
 }
 
 Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) {

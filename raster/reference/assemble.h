@@ -63,6 +63,12 @@ struct Assembly {
   FrameStats stats;           ///< draws, primitives and pieces
 };
 
+/// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise on screen.
+[[nodiscard]] int facing_sign(const std::array<glm::dvec4, 3>& corners);
+
+/// Whether a triangle of this sign is dropped: +1 counter-clockwise on screen, −1 clockwise, 0 neither.
+[[nodiscard]] bool culled(Cull cull, int sign);
+
 [[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers);
 
 /// Which of a draw's primitives are wanted: all, or those listed.
@@ -74,9 +80,6 @@ struct Selection {
 /// The same of some primitives only; `selections` has one for each draw.
 [[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections,
                                 int n_workers);
-
-/// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise (C3).
-[[nodiscard]] int facing_sign(const std::array<glm::dvec4, 3>& corners);
 
 /// Pixels of the target that a draw may write.
 [[nodiscard]] PixelBox drawable_pixels(const Frame& frame, const Draw& draw, glm::ivec2 target_size_px);

@@ -62,6 +62,7 @@ FrameStats render_reference(const Frame& frame, Image& image, const RenderOption
     const PixelBox box = {begin, {std::min(begin.x + tile, size.x), std::min(begin.y + tile, size.y)}};
     const TileJob job{frame, assembly.pieces, bins.row(t / n_columns), box, options.ids_from_ordered_draws};
     draw_tile(job, scratch[std::size_t(worker)], image);
+    if (options.on_tile) options.on_tile();
   });
 
   FrameStats stats = assembly.stats;

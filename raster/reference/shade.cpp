@@ -33,11 +33,6 @@ Vector interpolate(const std::array<float, 3>& b, std::span<const Vector> values
   return result;
 }
 
-VertexUvs piece_uvs(const Draw& draw, const Piece& piece) {
-  if (draw.uvs.empty()) return std::nullopt;
-  return {{draw.uvs[piece.vertices[0]], draw.uvs[piece.vertices[1]], draw.uvs[piece.vertices[2]]}};
-}
-
 /// The texture at a footprint, in the target's unit.
 glm::vec4 texel_at(const Draw& draw, ColorFormat format, const Footprint& footprint, FrameStats& stats) {
   if (draw.texture->format == TextureFormat::linear) {
@@ -51,6 +46,11 @@ glm::vec4 texel_at(const Draw& draw, ColorFormat format, const Footprint& footpr
 
 float depth_of(const Piece& piece, glm::ivec2 p_fx8) {
   return visit_shape(piece.shape, [&](const auto& shape) { return depth_at(shape, p_fx8); });
+}
+
+VertexUvs piece_uvs(const Draw& draw, const Piece& piece) {
+  if (draw.uvs.empty()) return std::nullopt;
+  return {{draw.uvs[piece.vertices[0]], draw.uvs[piece.vertices[1]], draw.uvs[piece.vertices[2]]}};
 }
 
 void shade(const Draw& draw, const Piece& piece, ColorFormat format, const SampleRun& run, glm::vec4* rgba,

@@ -17,6 +17,9 @@ struct SampleRun {
 
 [[nodiscard]] float depth_of(const Piece& piece, glm::ivec2 p_fx8);
 
+/// Texture coordinates of the piece's vertices, if the draw has any.
+[[nodiscard]] VertexUvs piece_uvs(const Draw& draw, const Piece& piece);
+
 /// rgba[i] is the shader's result at pixels[i], in the target's unit, not yet stored. Counts into stats.
 void shade(const Draw& draw, const Piece& piece, ColorFormat format, const SampleRun& run, glm::vec4* rgba,
            FrameStats& stats);

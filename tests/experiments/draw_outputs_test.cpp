@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/draw/picture.h"
+#include "experiments/sample_positions.h"
 #include "experiments/sha256.h"
 #include "tests/experiments/run_program.h"
 

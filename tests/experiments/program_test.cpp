@@ -44,7 +44,7 @@ TEST(Program, WithoutArgumentsHelpGoesToStandardError) {
 }
 
 TEST(Program, ACommandThatDoesNotExistIsWrongUsage) {
-  expect_wrong_usage({"paint"}, "unknown command \"paint\": expected draw");
+  expect_wrong_usage({"paint"}, "unknown command \"paint\": expected list, ");
   expect_wrong_usage({"--quiet"}, "subcommand");
   expect_wrong_usage({"draw", "-", "--print", "--frobnicate"}, "--frobnicate");
   expect_wrong_usage({"draw", "-", "extra", "--print"}, "extra");

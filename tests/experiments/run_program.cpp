@@ -36,7 +36,7 @@ Outcome run_lodestone(const Arguments& arguments, const std::string& input) {
   std::ostringstream out, err;
   const std::vector<const char*> argv = c_strings(arguments);
   Outcome run;
-  run.status = experiments::run_lodestone(int(argv.size()) - 1, argv.data(), in, out, err);
+  run.status = experiments::run_lodestone(int(argv.size()) - 1, argv.data(), {in, out, err});
   run.out = out.str();
   run.err = err.str();
   return run;

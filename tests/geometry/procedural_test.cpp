@@ -10,6 +10,8 @@
 #include <map>
 #include <utility>
 
+#include "geometry/trigonometry.h"
+
 namespace lode::geometry {
 namespace {
 
@@ -81,23 +83,74 @@ TEST(Procedural, TerrainIsAFunctionOfItsSeed) {
 }
 
 TEST(SmoothNormals, AreWeightedByAreaAndSharedByEqualPositions) {
-  // Two triangles with doubled corners on their common edge: areas 1/2 (normal +z) and 1 (normal +x):
-  // the shared corners have the direction (2, 0, 1).
+  // Two triangles with doubled corners on their common edge, 45° apart: area normals (0, 0, 1) and (−2, 0, 2): the
+  // shared corners have the direction (−2, 0, 3).
   Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {-0.0f, 1, 0}, {0, 0, 2}};
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-0.0f, 1, 0}, {-2, 0, -2}};
   mesh.indices = {0, 1, 2, 3, 4, 5};
-  const auto normals = smooth_normals(mesh);
-  const glm::vec3 shared = glm::vec3(glm::normalize(glm::dvec3(2, 0, 1)));
-  for (const std::size_t i : {0u, 1u, 3u, 4u}) EXPECT_EQ(normals[i], shared) << i;
-  EXPECT_EQ(normals[2], glm::vec3(0, 0, 1));
-  EXPECT_EQ(normals[5], glm::vec3(1, 0, 0));
+  const Mesh smooth = with_smooth_normals(mesh);
+  const glm::vec3 shared = glm::vec3(glm::normalize(glm::dvec3(-2, 0, 3)));
+  const auto normal = [&](std::size_t corner) { return smooth.normals[smooth.indices[corner]]; };
+  for (const std::size_t corner : {0u, 2u, 3u, 4u}) EXPECT_EQ(normal(corner), shared) << corner;
+  EXPECT_EQ(normal(1), glm::vec3(0, 0, 1));
+  EXPECT_EQ(normal(5), glm::vec3(glm::normalize(glm::dvec3(-1, 0, 1))));
+  EXPECT_EQ(smooth.positions.size(), 6u);  // nothing was split
+}
+
+TEST(SmoothNormals, LeaveCreasesSharpByMakingAVertexSeveral) {
+  // Two triangles at a right angle on a common edge: its two vertices become four.
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 2}};
+  mesh.uvs = {{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+  mesh.indices = {0, 1, 2, 1, 0, 3};
+  const Mesh smooth = with_smooth_normals(mesh);
+  ASSERT_EQ(smooth.positions.size(), 6u);
+  for (std::size_t c = 0; c < 6; ++c) {
+    EXPECT_EQ(smooth.normals[smooth.indices[c]], c < 3 ? glm::vec3(0, 0, 1) : glm::vec3(-1, 0, 0)) << c;
+    EXPECT_EQ(smooth.positions[smooth.indices[c]], mesh.positions[mesh.indices[c]]) << c;
+    EXPECT_EQ(smooth.uvs[smooth.indices[c]], mesh.uvs[mesh.indices[c]]) << c;
+  }
+}
+
+TEST(SmoothNormals, OfAFaceThatIsThereFromBothSidesDoNotCancel) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.indices = {0, 1, 2, 2, 1, 0};
+  const Mesh smooth = with_smooth_normals(mesh);
+  for (std::size_t c = 0; c < 6; ++c) {
+    EXPECT_EQ(smooth.normals[smooth.indices[c]], glm::vec3(0, 0, c < 3 ? 1 : -1)) << c;
+  }
+}
+
+TEST(SmoothNormals, KeepWhatAMeshHas) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.normals = {{5, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  mesh.indices = {0, 1, 2};
+  const Mesh smooth = with_smooth_normals(mesh);
+  EXPECT_EQ(smooth.normals[smooth.indices[0]], glm::vec3(5, 0, 0));
+  EXPECT_EQ(smooth.normals[smooth.indices[1]], glm::vec3(0, 0, 1));
+}
+
+TEST(SmoothNormals, OfAVertexOfVeryManyTrianglesCostNoSquare) {
+  // A fan of 100,000 triangles in a plane around one vertex: each corner there is flat.
+  Mesh mesh;
+  mesh.positions.emplace_back(0.0f);
+  const int n = 100000;
+  for (int i = 0; i < n; ++i) {
+    const SinCos t = sin_cos(2.0 * kPi * i / n);
+    mesh.positions.emplace_back(t.cos, t.sin, 0.0);
+    const auto a = std::uint32_t(i + 1), b = std::uint32_t((i + 1) % n + 1);
+    mesh.indices.insert(mesh.indices.end(), {0u, a, b});
+  }
+  for (const glm::vec3& normal : with_smooth_normals(mesh).normals) ASSERT_EQ(normal, glm::vec3(0, 0, 1));
 }
 
 TEST(SmoothNormals, AreZeroWhereThereIsNoArea) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {9, 9, 9}};
   mesh.indices = {0, 1, 2};
-  for (const glm::vec3& n : smooth_normals(mesh)) EXPECT_EQ(n, glm::vec3(0, 0, 0));
+  for (const glm::vec3& n : with_smooth_normals(mesh).normals) EXPECT_EQ(n, glm::vec3(0, 0, 0));
   for (const glm::vec3& n : with_flat_normals(mesh).normals) EXPECT_EQ(n, glm::vec3(0, 0, 0));
 }
 

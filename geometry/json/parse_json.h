@@ -7,12 +7,15 @@
 #include <string>
 #include <string_view>
 
-namespace lode::experiments {
+#include "geometry/memory_budget.h"
+
+namespace lode::geometry {
 
 /// Deepest nesting accepted. A picture has six levels: {draws: [{discs: [{center: [x]}]}]}.
 inline constexpr int kMaxJsonDepth = 32;
 
-/// The document. `name` is what errors call the text. Throws Error (bad_input).
-[[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::string& name);
+/// The document. `name` is what errors call the text. The document's memory, which can be fifty times the text's, is
+/// taken from the budget, if one is given. Throws Error (bad_input).
+[[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::string& name, MemoryBudget* budget = nullptr);
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry

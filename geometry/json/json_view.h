@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace lode::experiments {
+namespace lode::geometry {
 
 /// Views point to their parents: keep the parent alive while a child is used.
 class JsonView {
@@ -24,15 +24,20 @@ class JsonView {
   [[noreturn]] void fail_expected(std::string_view expected) const;
   /// Throws Error (bad_input): name, path, and what is wrong in other words.
   [[noreturn]] void fail(std::string_view what) const;
+  /// "picture.json: draws[2].triangles[1]"
+  [[nodiscard]] std::string place() const;
 
   /// Elements of an array; anything else fails, naming what was `expected`.
   [[nodiscard]] std::size_t size(std::string_view expected) const;
   [[nodiscard]] JsonView at(std::size_t index) const&;
   JsonView at(std::size_t index) const&& = delete;
 
-  /// The member of an object, if it is there.
+  /// The member of an object, if it is there; not of anything else.
   [[nodiscard]] std::optional<JsonView> find(std::string_view key) const&;
   std::optional<JsonView> find(std::string_view key) const&& = delete;
+  /// The same, and fails, naming the key, if it is not there.
+  [[nodiscard]] JsonView require(std::string_view key) const&;
+  JsonView require(std::string_view key) const&& = delete;
   /// Fails if this is no object, or has a member whose key is not among those allowed.
   void check_keys(std::span<const std::string_view> allowed) const;
 
@@ -43,6 +48,9 @@ class JsonView {
   [[nodiscard]] double number(double low, double high) const;
   /// A number that a float holds, rounded to it.
   [[nodiscard]] float float_number() const;
+  /// An index into an array of n elements; `what` they are is said if it is none.
+  [[nodiscard]] std::size_t index(std::size_t n, std::string_view what) const;
+  [[nodiscard]] const std::string& string() const;
   /// Index of the string among the choices.
   [[nodiscard]] std::size_t choice(std::initializer_list<std::string_view> choices) const;
   /// [r, g, b, a], whole numbers 0…255.
@@ -60,4 +68,4 @@ class JsonView {
   std::size_t index_ = 0;  ///< within the parent, if that is an array
 };
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry

@@ -1,13 +1,14 @@
-#include "experiments/draw/json_view.h"
+#include "geometry/json/json_view.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/error.h"
+#include "geometry/error.h"
+#include "geometry/shortened.h"
 
-namespace lode::experiments {
+namespace lode::geometry {
 namespace {
 
 using nlohmann::json;
@@ -33,9 +34,13 @@ std::string JsonView::path() const {
   return before + (before.empty() ? "" : ".") + shortened(key_, 40);
 }
 
+std::string JsonView::place() const {
+  const std::string within = path();
+  return within.empty() ? name_ : name_ + ": " + within;
+}
+
 void JsonView::fail(std::string_view what) const {
-  const std::string place = path();
-  throw Error(Status::bad_input, name_ + ": " + place + (place.empty() ? "" : ": ") + std::string(what));
+  throw Error(ErrorKind::bad_input, place() + ": " + std::string(what));
 }
 
 void JsonView::fail_expected(std::string_view expected) const {
@@ -52,6 +57,13 @@ JsonView JsonView::at(std::size_t index) const& { return {value_[index], *this, 
 std::optional<JsonView> JsonView::find(std::string_view key) const& {
   const auto member = value_.find(key);
   if (member == value_.end()) return std::nullopt;
+  return JsonView(*member, *this, key, 0);
+}
+
+JsonView JsonView::require(std::string_view key) const& {
+  if (!value_.is_object()) fail_expected("an object");
+  const auto member = value_.find(key);
+  if (member == value_.end()) fail("expected \"" + std::string(key) + "\"");
   return JsonView(*member, *this, key, 0);
 }
 
@@ -94,6 +106,19 @@ float JsonView::float_number() const {
   return float(v);
 }
 
+std::size_t JsonView::index(std::size_t n, std::string_view what) const {
+  const double v = value_.is_number() ? value_.get<double>() : NAN;
+  if (!(v >= 0.0 && v < double(n) && v == std::floor(v))) {
+    fail_expected("an index of one of the " + std::to_string(n) + " " + std::string(what));
+  }
+  return std::size_t(v);
+}
+
+const std::string& JsonView::string() const {
+  if (!value_.is_string()) fail_expected("a string");
+  return value_.get_ref<const std::string&>();
+}
+
 std::size_t JsonView::choice(std::initializer_list<std::string_view> choices) const {
   std::string list;
   std::size_t index = 0;
@@ -113,4 +138,4 @@ glm::vec4 JsonView::color() const {
   return color;
 }
 
-}  // namespace lode::experiments
+}  // namespace lode::geometry
