@@ -183,6 +183,9 @@ void validate(const Frame& frame, const Image& image, const RenderOptions& optio
   if (tile < 8 || tile > 256 || (tile & (tile - 1)) != 0) {
     throw Error(ErrorKind::bad_input, "tile size %d px: expected a power of two from 8 to 256", tile);
   }
+  if (options.pipeline == Pipeline::fast && !can_run(options.target)) {
+    throw Error(ErrorKind::bad_input, "target %s: this processor or build does not have it", name_of(options.target));
+  }
   if (options.threads < 0) throw Error(ErrorKind::bad_input, "%d threads: expected 0 (all) or more", options.threads);
   if (!options.per_draw.empty() && options.per_draw.size() != frame.draws.size()) {
     throw Error(ErrorKind::bad_input, "%zu statistics for %zu draws", options.per_draw.size(), frame.draws.size());

@@ -1,7 +1,5 @@
 #include "raster/fast/kernels.h"
 
-#include <cstring>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -16,9 +14,18 @@ HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
+#if HWY_TARGET == HWY_AVX3
+constexpr Target kTarget = Target::avx512;
+#elif HWY_TARGET == HWY_AVX2
+constexpr Target kTarget = Target::avx2;
+#elif HWY_TARGET == HWY_SSE4
+constexpr Target kTarget = Target::sse4;
+#else
+constexpr Target kTarget = Target::scalar;
+#endif
+
 extern const Kernels kKernels;
-const Kernels kKernels = {
-    hwy::TargetName(HWY_TARGET), Project, Transform, Rasterize, LeastDepth, ShadeFlat, StoreBytes};
+const Kernels kKernels = {kTarget, Project, Transform, Rasterize, LeastDepth, ShadeFlat, StoreBytes};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast
@@ -29,29 +36,28 @@ namespace lode::raster::fast {
 namespace {
 
 struct Entry {
-  std::int64_t target;
-  const char* name;
+  std::int64_t needs;
   const Kernels* kernels;
 };
 
-const Entry kEntries[] = {
+const Entry kEntries[] = {  // the widest first
 #if HWY_TARGETS & HWY_AVX3
-    {HWY_AVX3, "avx512", &N_AVX3::kKernels},
+    {HWY_AVX3, &N_AVX3::kKernels},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {HWY_AVX2, "avx2", &N_AVX2::kKernels},
+    {HWY_AVX2, &N_AVX2::kKernels},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    {HWY_SSE4, "sse4", &N_SSE4::kKernels},
+    {HWY_SSE4, &N_SSE4::kKernels},
 #endif
 };
 
 }  // namespace
 
-const Kernels* find_kernels(const char* name) {
+const Kernels* find_kernels(Target target) {
   for (const Entry& entry : kEntries) {
-    if ((hwy::SupportedTargets() & entry.target) == 0) continue;
-    if (std::strcmp(name, "best") == 0 || std::strcmp(name, entry.name) == 0) return entry.kernels;
+    const bool here = (hwy::SupportedTargets() & entry.needs) != 0;
+    if (here && (target == Target::best || target == entry.kernels->target)) return entry.kernels;
   }
   return nullptr;
 }

@@ -9,10 +9,11 @@
 
 #include "raster/clusters.h"
 #include "raster/frame.h"
+#include "raster/render.h"
 
 namespace lode::raster::fast {
 
-inline constexpr int kTile_px = 128;
+inline constexpr int kTile_px = kFastTile_px;
 inline constexpr int kTilePixels = kTile_px * kTile_px;
 inline constexpr int kBlock_px = 8;
 inline constexpr int kBlocksPerRow = kTile_px / kBlock_px;
@@ -97,7 +98,7 @@ struct FlatJob {
 };
 
 struct Kernels {
-  const char* name;
+  Target target;
   Projected (*project)(const DrawView& view, const glm::vec3& low, const glm::vec3& high);
   /// x, y, z [n, padded]
   void (*transform)(const DrawView& view, const float* x, const float* y, const float* z, int n,
@@ -112,7 +113,7 @@ struct Kernels {
   void (*store_bytes)(const float* rgba, std::uint32_t* bytes);
 };
 
-/// Kernels of the widest set that this processor has, or of the one named; null if there is none such.
-[[nodiscard]] const Kernels* find_kernels(const char* name);
+/// The kernels of a target (`best`: of the widest set that this processor has); null if it cannot run here.
+[[nodiscard]] const Kernels* find_kernels(Target target);
 
 }  // namespace lode::raster::fast

@@ -12,6 +12,7 @@
 #include "raster/fast/kernels.h"
 #include "raster/parallel.h"
 #include "raster/reference/assemble.h"
+#include "raster/reference/pipeline.h"
 #include "raster/reference/shade.h"
 
 namespace lode::raster::fast {
@@ -536,12 +537,15 @@ void collect_unclean(const Kernels& kernels, FastDraw& fast, std::uint32_t node_
 }  // namespace
 
 FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& options) {
+  if (frame.samples_fx8.size() != 1 || !options.per_draw.empty() || options.ids_from_ordered_draws) {
+    return reference::render_reference(frame, image, options);
+  }
   const glm::ivec2 size = image.size_px;
   const std::size_t n_columns = std::size_t((size.x + kTile_px - 1) / kTile_px);
   const std::size_t n_rows = std::size_t((size.y + kTile_px - 1) / kTile_px);
   const int threads = worker_count(options.threads);
 
-  Scene scene{frame, {}, {}, {}, {}, {}, find_kernels("best")};
+  Scene scene{frame, {}, {}, {}, {}, {}, find_kernels(options.target)};
   std::vector<reference::Selection> selections(frame.draws.size());
   scene.made.reserve(frame.draws.size());
   for (std::uint32_t d = 0; d < frame.draws.size(); ++d) {
@@ -597,6 +601,7 @@ FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& op
     const glm::ivec2 begin = {int(t % n_columns) * kTile_px, int(t / n_columns) * kTile_px};
     const PixelBox box = {begin, {std::min(begin.x + kTile_px, size.x), std::min(begin.y + kTile_px, size.y)}};
     TileDrawer(scene, *workers[std::size_t(worker)], image, box, t / n_columns).draw();
+    if (options.on_tile) options.on_tile();
   });
   FrameStats stats = scene.assembly.stats;
   for (const auto& worker : workers) stats += worker->stats;
@@ -604,3 +609,14 @@ FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& op
 }
 
 }  // namespace lode::raster::fast
+
+namespace lode::raster {
+
+struct FrameMemory::Parts {};
+
+FrameMemory::FrameMemory() = default;
+FrameMemory::~FrameMemory() = default;
+FrameMemory::FrameMemory(FrameMemory&&) noexcept = default;
+FrameMemory& FrameMemory::operator=(FrameMemory&&) noexcept = default;
+
+}  // namespace lode::raster
