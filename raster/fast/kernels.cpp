@@ -10,6 +10,7 @@
 #include "raster/fast/flat-inl.h"
 #include "raster/fast/resolve-inl.h"
 #include "raster/fast/vertices-inl.h"
+#include "raster/fast/write-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -26,7 +27,7 @@ constexpr Target kTarget = Target::scalar;
 #endif
 
 extern const Kernels kKernels;
-const Kernels kKernels = {kTarget, Look, Transform, Rasterize, RasterizeLone, Hidden, PrepareCorners, MakeRecords, ShadeRecords, ShadeFlat, StoreBytes};
+const Kernels kKernels = {kTarget, Look, Transform, Rasterize, RasterizeLone, Hidden, MakeRecords, ShadeRecords, ResolveRecords, WriteTile, ShadeFlat, StoreBytes};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

@@ -140,6 +140,38 @@ struct RecordJob {
   int sample_x_fx8 = 128, sample_y_fx8 = 128;
 };
 
+/// A sample whose byte the records could not tell.
+struct Doubtful {
+  std::uint32_t place;
+  std::uint16_t x_px, y_px;  ///< in the tile
+};
+
+/// Bytes of a tile's samples from the records of their owners.
+struct ResolveJob {
+  const TileBuffers* tile = nullptr;
+  const std::uint32_t* record_of = nullptr;  ///< [owners of the kernels] or kNoRecord
+  const ColorRecord* records = nullptr;
+  std::uint32_t clear = 0;
+  std::uint32_t* rgba8 = nullptr;
+  int width_px = 0, height_px = 0;
+  Doubtful* doubtful = nullptr;  ///< room for every sample
+  std::size_t* n_doubtful = nullptr;
+  std::uint64_t* n_shaded = nullptr;
+  const void* context = nullptr;
+  /// Shades those samples of a 4×4 that have no record.
+  void (*shade_others)(const void* context, int x_px, int y_px, std::uint32_t lanes) = nullptr;
+};
+inline constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
+
+/// A tile's planes of 32-bit values to the image's rows.
+struct WriteJob {
+  const void* from = nullptr;
+  void* to = nullptr;  ///< the tile's first pixel
+  std::size_t pitch_px = 0;
+  int width_px = 0, height_px = 0;
+  bool depths = false;  ///< what nothing owns becomes 0
+};
+
 struct Kernels {
   Target target;
   /// Looks at the boxes of a group, or at one box.
@@ -152,15 +184,14 @@ struct Kernels {
   bool (*rasterize_lone)(const RasterJob& job, const LoneTriangle& triangle, TileBuffers& tile, RasterCounts& counts);
   /// True if every sample of the blocks that the pixels (of the tile, not empty) touch is nearer than `nearest`.
   bool (*hidden)(TileBuffers& tile, const reference::PixelBox& pixels, float nearest);
-  /// n vertices; colors: [4 · mesh vertices]
-  void (*prepare_corners)(const WindowVertices128& v, int n, const float* colors, const std::uint32_t* mesh_vertices,
-                          CornerRecord* out);
   /// Of n of the cluster's triangles, corners at most 64 px apart.
   void (*make_records)(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records);
   /// Bytes of a 4×4 whose first pixel in the tile is given; each sample has its record. Returns the samples, a bit each,
   /// that must be shaded exactly instead.
   std::uint32_t (*shade_records)(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,
                                  std::uint32_t* bytes);
+  void (*resolve_records)(const ResolveJob& job);
+  void (*write_tile)(const WriteJob& job);
   /// Colours of sixteen samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).

@@ -102,6 +102,7 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
               d, depth_lane + l);
   }
   const auto error = hn::Set(d, setups.planes.error[s]);
+  const auto z_most = hn::Set(f, float(std::max({t.cz[0], t.cz[1], t.cz[2]})));
   int n_passed = 0;
   for (int by = by0; by <= by1; ++by) {
     std::int32_t at[3] = {row[0], row[1], row[2]};
@@ -113,6 +114,8 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
         const auto z_block = hn::Set(d, setups.planes.at[s] + (z_x * (4.0 * (bx - bx0)) + z_y * (4.0 * (by - by0))));
         int passed = 0;
         for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+          // Nothing to do where all is nearer than the whole triangle.
+          if (hn::AllTrue(f, hn::Gt(hn::Load(f, tile.depth + place + l), z_most)) && job.skips.blocks) continue;
           const auto signs = hn::Or(hn::Or(hn::Add(hn::Set(di, at[0]), hn::Load(di, edge_lane[0] + l)),
                                            hn::Add(hn::Set(di, at[1]), hn::Load(di, edge_lane[1] + l))),
                                     hn::Add(hn::Set(di, at[2]), hn::Load(di, edge_lane[2] + l)));

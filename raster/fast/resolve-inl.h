@@ -30,21 +30,6 @@ using F = hn::Vec<Floats>;
 /// than twenty operations rounded to float.
 constexpr float kRecordError = 0x1p-19f;
 
-void PrepareCorners(const WindowVertices128& v, int n, const float* colors, const std::uint32_t* mesh_vertices,
-                    CornerRecord* out) {
-  const Doubles d;
-  const HalfFloats hf;
-  for (int i = 0; i < n; i += int(hn::Lanes(d))) {
-    alignas(64) float inverse[8];
-    hn::Store(hn::DemoteTo(hf, hn::Div(hn::Set(d, 1.0), hn::LoadU(d, v.w + i))), hf, inverse);
-    for (int k = 0; k < int(hn::Lanes(d)); ++k) out[i + k].inverse_w = inverse[k];
-  }
-  for (int i = 0; i < n; ++i) {
-    std::memcpy(&out[i].x_fx8, &v.xy_fx8[i], 8);
-    std::memcpy(out[i].rgba, colors + 4 * std::size_t(mesh_vertices[i]), 16);
-  }
-}
-
 /// Bytes as C8 rounds them, as floats.
 HWY_INLINE F RoundedToByte(F v) {
   const Floats f;
@@ -200,6 +185,77 @@ std::uint32_t ShadeRecords(const ColorRecord* records, const std::uint32_t* inde
     doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
   }
   return doubtful;
+}
+
+/// Bits of a 4×4's owners: nothing's, and those that are pieces or nothing's.
+struct OwnerBits {
+  std::uint32_t none = 0, pieces = 0;
+};
+HWY_INLINE OwnerBits LookAtOwners(const std::uint32_t* owners) {
+  const Ints di;
+  OwnerBits bits;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+    const auto v = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(owners) + l);
+    std::uint8_t none[8] = {}, pieces[8] = {};
+    hn::StoreMaskBits(di, hn::Eq(v, hn::Set(di, -1)), none);
+    hn::StoreMaskBits(di, hn::Lt(v, hn::Zero(di)), pieces);
+    bits.none |= std::uint32_t(none[0] | none[1] << 8) << l;
+    bits.pieces |= std::uint32_t(pieces[0] | pieces[1] << 8) << l;
+  }
+  return bits;
+}
+
+/// One 4×4, of which `inside` are samples of the picture.
+HWY_INLINE void ResolveBlock(const ResolveJob& job, int x, int y, std::uint32_t inside) {
+  const auto base = std::size_t(place_in_tile(x, y));
+  const std::uint32_t* owners = job.tile->owner + base;
+  std::uint32_t* out = job.rgba8 + base;
+  const OwnerBits bits = LookAtOwners(owners);
+  if (bits.none != 0) {
+    for (int k = 0; k < 16; ++k) out[k] = job.clear;
+    inside &= ~bits.none;
+    if (inside == 0) return;
+  }
+  *job.n_shaded += std::uint64_t(hwy::PopCount(inside));
+  std::uint32_t lanes = inside & ~bits.pieces;
+  if (lanes == 0) return job.shade_others(job.context, x, y, inside);
+  const std::uint32_t some = owners[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
+  alignas(64) std::uint32_t index[16], bytes[16];
+  std::uint32_t others = 0;
+  const std::uint32_t some_record = job.record_of[some];
+  for (std::uint32_t k = 0; k < 16; ++k) {
+    const std::uint32_t record = lanes >> k & 1 ? job.record_of[owners[k]] : some_record;
+    others |= record == kNoRecord ? 1u << k : 0u;
+    index[k] = record == kNoRecord ? 0 : record;
+  }
+  lanes &= ~others;
+  if (lanes != 0) {
+    std::uint32_t doubtful = ShadeRecords(job.records, index, x, y, bytes) & lanes;
+    if (lanes == 0xFFFF) {
+      std::memcpy(out, bytes, 64);
+    } else {
+      for (std::uint32_t k = 0; k < 16; ++k) out[k] = lanes >> k & 1 ? bytes[k] : out[k];
+    }
+    for (; doubtful != 0; doubtful &= doubtful - 1) {
+      const auto k = std::uint32_t(hwy::Num0BitsBelowLS1Bit_Nonzero32(doubtful));
+      job.doubtful[(*job.n_doubtful)++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)),
+                                           std::uint16_t(y + int(k >> 2))};
+    }
+  }
+  if ((inside & ~lanes) != 0) job.shade_others(job.context, x, y, inside & ~lanes);
+}
+
+void ResolveRecords(const ResolveJob& job) {
+  for (int y = 0; y < job.height_px; y += 4) {
+    for (int x = 0; x < job.width_px; x += 4) {
+      std::uint32_t inside = 0xFFFF;
+      if (job.width_px - x < 4 || job.height_px - y < 4) {
+        inside = 0;
+        for (int k = 0; k < 16; ++k) inside |= x + (k & 3) < job.width_px && y + (k >> 2) < job.height_px ? 1u << k : 0u;
+      }
+      ResolveBlock(job, x, y, inside);
+    }
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,7 +10,6 @@
 namespace lode::raster::fast {
 namespace {
 
-constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
 constexpr int kNarrow_fx8 = 64 * 256;  // corners of triangles whose records the kernels make
 
 class Resolver {
@@ -29,11 +28,10 @@ class Resolver {
     if (by_records_) make_records();
     clear8_ = store_rgba8(scene_.frame->clear);
     clear32_ = store_rgba32f(scene_.frame->clear);
-    w_.doubtful.clear();
+    if (by_records_) return resolve_by_records();
     for (int y = 0; y < size_.y; y += 4) {
       for (int x = 0; x < size_.x; x += 4) resolve_block(x, y);
     }
-    shade_doubtful();
   }
 
  private:
@@ -42,6 +40,34 @@ class Resolver {
   template <class Visit>
   static void for_each_lane(Lanes lanes, Visit visit) {
     for (; lanes != 0; lanes &= lanes - 1) visit(std::uint32_t(std::countr_zero(lanes)));
+  }
+
+  void resolve_by_records() {
+    ResolveJob job;
+    job.tile = w_.tile.get();
+    job.record_of = w_.record_of.get(), job.records = w_.records.get();
+    std::memcpy(&job.clear, &clear8_, 4);
+    job.rgba8 = reinterpret_cast<std::uint32_t*>(w_.rgba8.data());
+    job.width_px = size_.x, job.height_px = size_.y;
+    job.doubtful = w_.doubtful.get(), job.n_doubtful = &n_doubtful_;
+    job.n_shaded = &w_.stats.fragments_shaded;
+    job.context = this;
+    job.shade_others = [](const void* self, int x, int y, Lanes lanes) {
+      auto* resolver = static_cast<Resolver*>(const_cast<void*>(self));
+      const auto base = std::size_t(place_in_tile(x, y));
+      lanes &= ~resolver->shade_by_records(x, y, base, lanes);
+      while (lanes != 0) lanes &= ~resolver->shade_owner(x, y, base, lanes);
+    };
+    scene_.kernels->resolve_records(job);
+    shade_doubtful();
+    if (!has_ids_) return;
+    for (int y = 0; y < size_.y; ++y) {
+      for (int x = 0; x < size_.x; ++x) {
+        const auto i = std::size_t(place_in_tile(x, y));
+        const std::uint32_t owner = w_.tile->owner[i];
+        w_.ids[i] = owner == kNoOwner ? Ids{kNoId, kNoId} : owners_.ids(owner);
+      }
+    }
   }
 
   // ---- Records: the colours of each visible triangle as planes ----
@@ -68,8 +94,11 @@ class Resolver {
     std::size_t n_narrow = 0, n_wide = 0;
     const Resident& r = w_.residents[slot];
     const FastDraw& fast = scene_.fast[r.fast_draw];
-    if (!fast.flat) return;
     std::uint32_t* record_of = &w_.record_of[std::size_t(slot) * kSlotTriangles];
+    if (!fast.flat) {
+      std::fill_n(record_of, kSlotTriangles, kNoRecord);
+      return;
+    }
     if (fast.constant) {
       std::uint32_t record = kNoRecord;
       for (std::size_t t = 0; t < kSlotTriangles; ++t) {
@@ -95,9 +124,8 @@ class Resolver {
       }
     }
     if (n_narrow > 0) {
-      const Cluster& cluster = fast.clusters->clusters[r.cluster];
-      scene_.kernels->prepare_corners(v, cluster.n_vertices, fast.flat_job.colors,
-                                      &fast.clusters->vertices[r.first_vertex], w_.corners.get());
+      prepare_corners(v, corners, {narrow.data(), n_narrow}, fast.flat_job.colors,
+                      &fast.clusters->vertices[r.first_vertex]);
       RecordJob job;
       job.corners = corners;
       job.vertices = w_.corners.get();
@@ -111,6 +139,27 @@ class Resolver {
       Piece p;
       owners_.make_piece(slot * kSlotTriangles + wide[i], p);
       record_of[wide[i]] = add_piece(p);
+    }
+  }
+
+  /// What records need of the vertices of some triangles.
+  void prepare_corners(const WindowVertices128& v, const std::uint8_t* corners, std::span<const std::uint8_t> triangles,
+                       const float* colors, const std::uint32_t* mesh_vertices) {
+    std::array<std::uint64_t, 2> wanted{};
+    for (const std::uint8_t t : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint8_t corner = corners[3 * std::size_t(t) + k];
+        wanted[corner / 64] |= std::uint64_t(1) << (corner % 64);
+      }
+    }
+    for (std::size_t half = 0; half < 2; ++half) {
+      for (std::uint64_t bits = wanted[half]; bits != 0; bits &= bits - 1) {
+        const std::size_t i = 64 * half + std::size_t(std::countr_zero(bits));
+        CornerRecord& out = w_.corners[i];
+        std::memcpy(&out.x_fx8, &v.xy_fx8[i], 8);
+        out.inverse_w = float(1.0 / v.w[i]);
+        std::memcpy(out.rgba, colors + 4 * std::size_t(mesh_vertices[i]), 16);
+      }
     }
   }
 
@@ -214,7 +263,6 @@ class Resolver {
     }
     if (!has_color_) return;
     w_.stats.fragments_shaded += std::uint64_t(std::popcount(left));
-    if (by_records_) left &= ~shade_by_records(x, y, base, left);
     while (left != 0) left &= ~shade_owner(x, y, base, left);
   }
 
@@ -226,20 +274,15 @@ class Resolver {
     });
   }
 
-  /// Those lanes whose owners have records.
+  /// Those lanes whose owners are pieces with records.
   Lanes shade_by_records(int x, int y, std::size_t base, Lanes left) {
     const std::uint32_t* owners = w_.tile->owner + base;
     std::array<std::uint32_t, 16> index;
     Lanes lanes = 0;
     std::uint32_t any = 0;
     for_each_lane(left, [&](std::uint32_t k) {
-      const std::uint32_t owner = owners[k];
-      std::uint32_t record = kNoRecord;
-      if (owner & kPieceBit) {
-        record = record_of_piece(owner & ~kPieceBit);
-      } else if (owners_.fast_draw(owner).flat) {
-        record = w_.record_of[owner];
-      }
+      if (!(owners[k] & kPieceBit)) return;
+      const std::uint32_t record = record_of_piece(owners[k] & ~kPieceBit);
       if (record == kNoRecord) return;
       index[k] = any = record;
       lanes |= 1u << k;
@@ -248,13 +291,9 @@ class Resolver {
     for_each_lane(0xFFFF & ~lanes, [&](std::uint32_t k) { index[k] = any; });
     std::array<std::uint32_t, 16> bytes;
     const Lanes doubtful = scene_.kernels->shade_records(w_.records.get(), index.data(), x, y, bytes.data()) & lanes;
-    if (lanes == 0xFFFF) {
-      std::memcpy(static_cast<void*>(&w_.rgba8[base]), bytes.data(), 64);
-    } else {
-      for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
-    }
+    for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
     for_each_lane(doubtful, [&](std::uint32_t k) {
-      w_.doubtful.push_back({std::uint32_t(base + k), std::uint16_t(x + int(k & 3)), std::uint16_t(y + int(k >> 2))});
+      w_.doubtful[n_doubtful_++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)), std::uint16_t(y + int(k >> 2))};
     });
     return lanes;
   }
@@ -312,7 +351,8 @@ class Resolver {
       for (std::size_t k = 0; k < n; ++k) std::memcpy(static_cast<void*>(&w_.rgba8[places[k]]), &bytes[k], 4);
       n = 0;
     };
-    for (const Doubtful& d : w_.doubtful) {
+    for (std::size_t i = 0; i < n_doubtful_; ++i) {
+      const Doubtful& d = w_.doubtful[i];
       const std::uint32_t owner = w_.tile->owner[d.place];
       if (owner & kPieceBit) {
         const Piece& p = owners_.piece(owner & ~kPieceBit);
@@ -345,6 +385,7 @@ class Resolver {
   glm::u8vec4 clear8_{0};
   glm::vec4 clear32_{0.0f};
   std::uint32_t n_records_ = 0;
+  std::size_t n_doubtful_ = 0;
   std::array<std::pair<std::uint32_t, std::uint32_t>, 8> recent_;  // piece and record
   std::size_t next_recent_ = 0;
 };

@@ -315,29 +315,23 @@ class TileDrawer {
   }
 
   void write() {
-    for (int y = 0; y < size_.y; ++y) {
-      const std::size_t row =
-          std::size_t(box_.begin_px.y + y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
-      for (int x = 0; x < size_.x; x += 4) {  // four neighbours lie together
-        const auto from = std::size_t(place_in_tile(x, y)), to = row + std::size_t(x);
-        const auto n = std::size_t(std::min(4, size_.x - x));
-        if (!image_.rgba8.empty()) copy(&image_.rgba8[to], &w_.rgba8[from], n);
-        if (!image_.rgba32f.empty()) copy(&image_.rgba32f[to], &w_.rgba32f[from], n);
-        if (!image_.ids.empty()) copy(&image_.ids[to], &w_.ids[from], n);
-        if (image_.depth.empty()) continue;
-        std::array<float, 4> depth;
-        for (std::size_t i = 0; i < 4; ++i) depth[i] = std::max(w_.tile->depth[from + i], 0.0f);
-        copy(&image_.depth[to], depth.data(), n);
-      }
+    const std::size_t first = std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+    WriteJob job{.pitch_px = std::size_t(image_.size_px.x), .width_px = size_.x, .height_px = size_.y};
+    if (!image_.rgba8.empty()) {
+      job.from = w_.rgba8.data(), job.to = &image_.rgba8[first];
+      scene_.kernels->write_tile(job);
     }
-  }
-
-  template <class T>
-  static void copy(T* to, const T* from, std::size_t n) {
-    if (n == 4) {
-      std::memcpy(static_cast<void*>(to), from, 4 * sizeof(T));
-    } else {
-      std::copy_n(from, n, to);
+    if (!image_.depth.empty()) {
+      job.from = w_.tile->depth, job.to = &image_.depth[first], job.depths = true;
+      scene_.kernels->write_tile(job);
+    }
+    for (int y = 0; y < size_.y; ++y) {
+      for (int x = 0; x < size_.x; ++x) {
+        const auto from = std::size_t(place_in_tile(x, y)), to = first + std::size_t(y) * job.pitch_px + std::size_t(x);
+        if (!image_.rgba32f.empty()) image_.rgba32f[to] = w_.rgba32f[from];
+        if (!image_.ids.empty()) image_.ids[to] = w_.ids[from];
+      }
+      if (image_.rgba32f.empty() && image_.ids.empty()) break;
     }
   }
 
@@ -366,7 +360,7 @@ void Worker::prepare(const Scene& scene, const Image& image) {
     records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);
     residents.reserve(kSlots);
     free_slots.reserve(kSlots);
-    doubtful.reserve(kTilePixels);
+    doubtful = std::make_unique_for_overwrite<Doubtful[]>(kTilePixels);
   }
   heap.reserve(scene.n_boxes);
   const std::size_t n = kTilePixels;

@@ -18,12 +18,6 @@ inline constexpr std::size_t kSlots = kTilePixels + 1;
 /// Records of one tile: a visible triangle has at least a sample of its own.
 inline constexpr std::size_t kMostRecords = 2 * kTilePixels;
 
-/// A sample whose byte the records could not tell.
-struct Doubtful {
-  std::uint32_t place;
-  std::uint16_t x_px, y_px;  ///< in the tile
-};
-
 /// A part of a draw's tree that waits for its turn: the nearest first, then by draw and part.
 struct Waiting {
   float nearest = 0.0f;
@@ -49,7 +43,7 @@ struct Worker {
   std::unique_ptr<std::uint32_t[]> record_of;      ///< [kSlots · 128] of visible triangles of flat draws
   std::unique_ptr<CornerRecord[]> corners;         ///< [128] of one cluster
   std::unique_ptr<ColorRecord[]> records;          ///< [kMostRecords]
-  std::vector<Doubtful> doubtful;
+  std::unique_ptr<Doubtful[]> doubtful;            ///< [kTilePixels]
   std::vector<Ids> ids;
   std::vector<glm::u8vec4> rgba8;
   std::vector<glm::vec4> rgba32f;
