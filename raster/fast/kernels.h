@@ -119,7 +119,7 @@ struct FlatJob {
 };
 
 /// A cluster's vertex as colour records are made from it.
-struct CornerRecord {
+struct alignas(32) CornerRecord {
   std::int32_t x_fx8, y_fx8;  ///< from the tile's corner
   float inverse_w;
   float unused;

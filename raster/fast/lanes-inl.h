@@ -35,6 +35,41 @@ alignas(64) constexpr double kLaneYInDouble[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2,
 alignas(64) constexpr std::int32_t kLaneX[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr std::int32_t kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
+/// Lanes of two vectors of half as many, which Doubles's are of Floats's and Ints's.
+template <class Wide, class Half>
+HWY_INLINE hn::Vec<Wide> BothHalves(Wide wide, Half low, Half high) {
+  return hn::Combine(wide, high, low);
+}
+
+/// Four floats each from as many places as there are groups of four lanes: first[0], first[stride], …
+HWY_INLINE hn::Vec<Floats> FoursFrom(const float* const* first, std::size_t stride) {
+  const Floats f;
+  const hn::CappedTag<float, 4> four;
+  if constexpr (hn::MaxLanes(f) == 16) {
+    const hn::Half<Floats> half;
+    return hn::Combine(f, hn::Combine(half, hn::Load(four, first[3 * stride]), hn::Load(four, first[2 * stride])),
+                       hn::Combine(half, hn::Load(four, first[stride]), hn::Load(four, first[0])));
+  } else if constexpr (hn::MaxLanes(f) == 8) {
+    return hn::Combine(f, hn::Load(four, first[stride]), hn::Load(four, first[0]));
+  } else {
+    return hn::Load(f, first[0]);
+  }
+}
+
+/// Component c of the four floats at from[i] becomes lane i of out[c]. (As LoadInterleaved4 from scattered places: the
+/// fours go straight into registers.)
+HWY_INLINE void LoadTransposed(const float* const* from, hn::Vec<Floats> (&out)[4]) {
+  const Floats f;
+  const hn::RepartitionToWide<Floats> pairs;
+  const auto a = FoursFrom(from, 4), b = FoursFrom(from + 1, 4), c = FoursFrom(from + 2, 4), d = FoursFrom(from + 3, 4);
+  const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(f, a, b)), ab_high = hn::BitCast(pairs, hn::InterleaveUpper(f, a, b));
+  const auto cd_low = hn::BitCast(pairs, hn::InterleaveLower(f, c, d)), cd_high = hn::BitCast(pairs, hn::InterleaveUpper(f, c, d));
+  out[0] = hn::BitCast(f, hn::InterleaveLower(pairs, ab_low, cd_low));
+  out[1] = hn::BitCast(f, hn::InterleaveUpper(pairs, ab_low, cd_low));
+  out[2] = hn::BitCast(f, hn::InterleaveLower(pairs, ab_high, cd_high));
+  out[3] = hn::BitCast(f, hn::InterleaveUpper(pairs, ab_high, cd_high));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast
 HWY_AFTER_NAMESPACE();

@@ -96,48 +96,53 @@ HWY_INLINE void PrepareWalk(const RasterJob& job, const LargeSetup& s, int bx0, 
   for (int l = 0; l < 16; ++l) walk.depth_lane[l] = walk.z_right * kLaneX[l] + walk.z_down * kLaneY[l];
 }
 
-/// One 4×4 of a block; e: edges at its first sample, z: the plane there.
-HWY_INLINE int DrawQuarter(const RasterJob& job, const LargeSetup& s, const LargeWalk& walk, const double (&e)[3],
-                           double z, int x_px, int y_px, bool whole, TileBuffers& tile, RasterCounts& counts) {
+/// Half of the lanes of a 4×4, from lane `at`: which are covered, and how near they are.
+struct LargeSamples {
+  hn::Vec<HalfInts> inside;  ///< −1 or 0
+  hn::Vec<HalfFloats> depth;
+};
+HWY_INLINE LargeSamples SampleHalf(const LargeSetup& s, const LargeWalk& walk, const double (&e)[3], double z, int x_px,
+                                   int y_px, bool whole, std::size_t at) {
   const Doubles d;
   const HalfInts hi;
   const HalfFloats hf;
+  hn::Vec<Doubles> edges[3];
+  LargeSamples out;
+  out.inside = hn::Set(hi, -1);
+  if (!whole) {
+    for (int k = 0; k < 3; ++k) edges[k] = hn::Add(hn::Set(d, e[k]), hn::Load(d, walk.edge_lane[k] + at));
+    const auto in = hn::And(hn::And(hn::Ge(edges[0], hn::Set(d, s.bias[0])), hn::Ge(edges[1], hn::Set(d, s.bias[1]))),
+                            hn::Ge(edges[2], hn::Set(d, s.bias[2])));
+    const auto lx = hn::Load(hi, kLaneX + at), ly = hn::Load(hi, kLaneY + at);
+    const auto in_box =
+        hn::And(hn::And(hn::Gt(lx, hn::Set(hi, s.begin_x - x_px - 1)), hn::Lt(lx, hn::Set(hi, s.end_x - x_px))),
+                hn::And(hn::Gt(ly, hn::Set(hi, s.begin_y - y_px - 1)), hn::Lt(ly, hn::Set(hi, s.end_y - y_px))));
+    out.inside = hn::And(hn::VecFromMask(hi, in_box), hn::DemoteTo(hi, hn::IfThenElseZero(in, hn::Set(d, -1.0))));
+  }
+  const RoundedDepths r = RoundBoth(hn::Add(hn::Set(d, z), hn::Load(d, walk.depth_lane + at)), hn::Set(d, walk.z_error));
+  out.depth = r.low;
+  if (HWY_UNLIKELY(!hn::AllFalse(hf, hn::Ne(r.low, r.high)))) {
+    for (int k = 0; k < 3; ++k) edges[k] = hn::Add(hn::Set(d, e[k]), hn::Load(d, walk.edge_lane[k] + at));
+    out.depth = DividedDepths(s, edges);
+  }
+  return out;
+}
+
+/// One 4×4 of a block; e: edges at its first sample, z: the plane there.
+HWY_INLINE int DrawQuarter(const RasterJob& job, const LargeSetup& s, const LargeWalk& walk, const double (&e)[3],
+                           double z, int x_px, int y_px, bool whole, TileBuffers& tile, RasterCounts& counts) {
   const Ints di;
   const Floats f;
   const int place = place_in_tile(x_px, y_px);
   int passed = 0;
   for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
-    alignas(64) float depths[16];
-    alignas(64) std::int32_t flags[16];
-    std::int32_t any = 0;
-    for (std::size_t half = 0; half < hn::Lanes(di); half += hn::Lanes(d)) {
-      const std::size_t at = l + half;
-      hn::Vec<Doubles> edges[3];
-      auto inside = hn::Eq(hn::Zero(hi), hn::Zero(hi));
-      if (!whole) {
-        for (int k = 0; k < 3; ++k) edges[k] = hn::Add(hn::Set(d, e[k]), hn::Load(d, walk.edge_lane[k] + at));
-        const auto in = hn::And(hn::And(hn::Ge(edges[0], hn::Set(d, s.bias[0])), hn::Ge(edges[1], hn::Set(d, s.bias[1]))),
-                                hn::Ge(edges[2], hn::Set(d, s.bias[2])));
-        const auto lx = hn::Load(hi, kLaneX + at), ly = hn::Load(hi, kLaneY + at);
-        inside = hn::And(hn::And(hn::Gt(lx, hn::Set(hi, s.begin_x - x_px - 1)), hn::Lt(lx, hn::Set(hi, s.end_x - x_px))),
-                         hn::And(hn::Gt(ly, hn::Set(hi, s.begin_y - y_px - 1)), hn::Lt(ly, hn::Set(hi, s.end_y - y_px))));
-        inside = hn::And(inside, hn::Ne(hn::DemoteTo(hi, hn::IfThenElseZero(in, hn::Set(d, 1.0))), hn::Zero(hi)));
-      }
-      const auto n = hn::CountTrue(hi, inside);
-      counts.fragments += n;
-      any |= std::int32_t(n);
-      hn::Store(hn::VecFromMask(hi, inside), hi, flags + half);
-      if (n == 0) continue;
-      RoundedDepths r = RoundBoth(hn::Add(hn::Set(d, z), hn::Load(d, walk.depth_lane + at)), hn::Set(d, walk.z_error));
-      if (HWY_UNLIKELY(!hn::AllFalse(hf, hn::And(hn::RebindMask(hf, inside), hn::Ne(r.low, r.high))))) {
-        for (int k = 0; k < 3; ++k) edges[k] = hn::Add(hn::Set(d, e[k]), hn::Load(d, walk.edge_lane[k] + at));
-        r.low = DividedDepths(s, edges);
-      }
-      hn::Store(r.low, hf, depths + half);
-    }
-    if (any == 0) continue;
-    const auto covered = hn::RebindMask(f, hn::MaskFromVec(hn::Load(di, flags)));
-    passed += KeepNearer(job, tile, place + int(l), covered, hn::Load(f, depths), s.owner);
+    const LargeSamples first = SampleHalf(s, walk, e, z, x_px, y_px, whole, l);
+    const LargeSamples second = SampleHalf(s, walk, e, z, x_px, y_px, whole, l + hn::Lanes(Doubles()));
+    const auto inside = hn::MaskFromVec(BothHalves(di, first.inside, second.inside));
+    const auto n = hn::CountTrue(di, inside);
+    counts.fragments += n;
+    if (n == 0) continue;
+    passed += KeepNearer(job, tile, place + int(l), hn::RebindMask(f, inside), BothHalves(f, first.depth, second.depth), s.owner);
   }
   return passed;
 }

@@ -78,7 +78,6 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
   const Ints di;
   const Floats f;
   const Doubles d;
-  const HalfFloats hf;
   const hn::RebindToUnsigned<Floats> u;
   const int s = lane_of_setup;
   const int bx0 = t.begin_x >> 2, bx1 = (t.end_x - 1) >> 2, by0 = t.begin_y >> 2, by1 = (t.end_y - 1) >> 2;
@@ -129,22 +128,22 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
           }
           if (hn::AllFalse(di, inside)) continue;
           counts.fragments += hn::CountTrue(di, inside);
-          alignas(64) float low[16], high[16];
-          for (std::size_t half = 0; half < hn::Lanes(di); half += hn::Lanes(d)) {
-            const RoundedDepths r = RoundBoth(hn::Add(z_block, hn::Load(d, depth_lane + l + half)), error);
-            hn::Store(r.low, hf, low + half);
-            hn::Store(r.high, hf, high + half);
-          }
+          const RoundedDepths first = RoundBoth(hn::Add(z_block, hn::Load(d, depth_lane + l)), error);
+          const RoundedDepths second = RoundBoth(hn::Add(z_block, hn::Load(d, depth_lane + l + hn::Lanes(d))), error);
+          auto depth = BothHalves(f, first.low, second.low);
           const auto covered = hn::RebindMask(f, inside);
-          const auto doubt = hn::And(covered, hn::Ne(hn::Load(f, low), hn::Load(f, high)));
+          const auto doubt = hn::And(covered, hn::Ne(depth, BothHalves(f, first.high, second.high)));
           if (HWY_UNLIKELY(!hn::AllFalse(f, doubt))) {
             alignas(64) std::uint32_t flags[16];
+            alignas(64) float depths[16];
             hn::Store(hn::VecFromMask(u, hn::RebindMask(u, doubt)), u, flags);
+            hn::Store(depth, f, depths);
             std::uint32_t lanes = 0;
             for (std::size_t i = 0; i < hn::Lanes(di); ++i) lanes |= (flags[i] & 1) << i;
-            FixDepths(job, t, bx * 4, by * 4, l, lanes, low);
+            FixDepths(job, t, bx * 4, by * 4, l, lanes, depths);
+            depth = hn::Load(f, depths);
           }
-          passed += KeepNearer(job, tile, place + int(l), covered, hn::Load(f, low), t.owner);
+          passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);
         }
         if (passed) tile.stale[place >> 6] = 1;
         n_passed += passed;

@@ -39,16 +39,18 @@ HWY_INLINE F RoundedToByte(F v) {
 }
 
 /// The planes of sixteen triangles, from the corners' records a[k] = (x, y, 1/w, –) and c[k] = (r, g, b, a).
-void MakeSomeRecords(const RecordJob& job, const float (&a)[3][64], const float (&c)[3][64], float (&out)[4][64]) {
+void MakeSomeRecords(const RecordJob& job, const float* const (&a)[3][16], const float* const (&c)[3][16],
+                     float (&out)[4][64]) {
   const Ints di;
   const Floats f;
   I x[3], y[3];
   F inverse_w[3], colors[4][3];
   for (std::size_t k = 0; k < 3; ++k) {
-    F bits_x, bits_y, unused;
-    hn::LoadInterleaved4(f, a[k], bits_x, bits_y, inverse_w[k], unused);
-    x[k] = hn::BitCast(di, bits_x), y[k] = hn::BitCast(di, bits_y);
-    hn::LoadInterleaved4(f, c[k], colors[0][k], colors[1][k], colors[2][k], colors[3][k]);
+    F of_corner[4];
+    LoadTransposed(a[k], of_corner);
+    x[k] = hn::BitCast(di, of_corner[0]), y[k] = hn::BitCast(di, of_corner[1]), inverse_w[k] = of_corner[2];
+    LoadTransposed(c[k], of_corner);
+    for (std::size_t channel = 0; channel < 4; ++channel) colors[channel][k] = of_corner[channel];
   }
   const auto up = hn::Set(di, 255);
   const auto sample_x = hn::Set(di, job.sample_x_fx8), sample_y = hn::Set(di, job.sample_y_fx8);
@@ -111,13 +113,14 @@ void MakeSomeRecords(const RecordJob& job, const float (&a)[3][64], const float 
 
 void MakeRecords(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records) {
   const int lanes = int(hn::Lanes(Floats()));
-  alignas(64) float a[3][64], c[3][64], out[4][64];
+  const float *a[3][16], *c[3][16];
+  alignas(64) float out[4][64];
   for (int first = 0; first < n; first += lanes) {
     for (int i = 0; i < lanes; ++i) {
       const std::uint8_t* corners = job.corners + 3 * std::size_t(triangles[std::min(first + i, n - 1)]);
       for (int k = 0; k < 3; ++k) {
-        std::memcpy(&a[k][4 * i], &job.vertices[corners[k]], 16);
-        std::memcpy(&c[k][4 * i], job.vertices[corners[k]].rgba, 16);
+        const CornerRecord& corner = job.vertices[corners[k]];
+        a[k][i] = reinterpret_cast<const float*>(&corner), c[k][i] = corner.rgba;
       }
     }
     MakeSomeRecords(job, a, c, out);
@@ -175,13 +178,12 @@ std::uint32_t ShadeRecords(const ColorRecord* records, const std::uint32_t* inde
     for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
     return doubtful;
   }
-  alignas(64) float side_by_side[4][64];
+  const float* from[4][16];
   for (std::size_t i = 0; i < 16; ++i) {
-    const ColorRecord& r = records[index[i]];
-    for (int k = 0; k < 4; ++k) std::memcpy(&side_by_side[k][4 * i], r.quads[k], 16);
+    for (std::size_t k = 0; k < 4; ++k) from[k][i] = records[index[i]].quads[k];
   }
   for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) {
-    for (int k = 0; k < 4; ++k) hn::LoadInterleaved4(f, side_by_side[k] + 4 * l, q[k][0], q[k][1], q[k][2], q[k][3]);
+    for (std::size_t k = 0; k < 4; ++k) LoadTransposed(from[k] + l, q[k]);
     doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
   }
   return doubtful;

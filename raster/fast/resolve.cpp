@@ -78,13 +78,9 @@ class Resolver {
     for (const Resident& r : w_.residents) {
       std::memset(&w_.visible[std::size_t(&r - w_.residents.data()) * kSlotTriangles], 0, kSlotTriangles);
     }
-    std::uint32_t last = kNoOwner;
-    for (std::size_t i = 0; i < std::size_t(kTilePixels); ++i) {
-      const std::uint32_t owner = w_.tile->owner[i];
-      if (owner == last) continue;
-      last = owner;
-      if (!(owner & kPieceBit)) w_.visible[owner] = 1;  // nothing's owner has the bit, too
-    }
+    // Without branches: whose the next sample is, is hard to guess. Pieces and nothing mark a place of no slot.
+    constexpr std::uint32_t kNowhere = kSlots * kSlotTriangles;
+    for (const std::uint32_t owner : w_.tile->owner) w_.visible[owner & kPieceBit ? kNowhere : owner] = 1;
     for (std::uint32_t slot = 0; slot < w_.residents.size(); ++slot) make_records_of(slot);
   }
 

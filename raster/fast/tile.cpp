@@ -354,7 +354,7 @@ void Worker::prepare(const Scene& scene, const Image& image) {
   if (!tile) {
     tile = std::make_unique_for_overwrite<TileBuffers>();
     vertices = std::make_unique_for_overwrite<WindowVertices128[]>(kSlots);
-    visible = std::make_unique_for_overwrite<std::uint8_t[]>(kSlots * kSlotTriangles);
+    visible = std::make_unique_for_overwrite<std::uint8_t[]>(kSlots * kSlotTriangles + 1);
     record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
     corners = std::make_unique_for_overwrite<CornerRecord[]>(std::size_t(kMaxClusterVertices) + 8);
     records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);

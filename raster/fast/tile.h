@@ -39,7 +39,7 @@ struct Worker {
   std::vector<Resident> residents;                 ///< of the slots in use
   std::vector<std::uint32_t> free_slots;
   std::unique_ptr<WindowVertices128[]> vertices;   ///< [kSlots]
-  std::unique_ptr<std::uint8_t[]> visible;         ///< [kSlots · 128] 1: owns a sample
+  std::unique_ptr<std::uint8_t[]> visible;         ///< [kSlots · 128 + 1] 1: owns a sample
   std::unique_ptr<std::uint32_t[]> record_of;      ///< [kSlots · 128] of visible triangles of flat draws
   std::unique_ptr<CornerRecord[]> corners;         ///< [128] of one cluster
   std::unique_ptr<ColorRecord[]> records;          ///< [kMostRecords]
