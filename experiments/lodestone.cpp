@@ -37,9 +37,10 @@ void add_common_options(CLI::App& app, CommandLine& line) {
   app.add_option("--target", line.target, "best, scalar, sse4, avx2, avx512, neon or wasm (default best)")
       ->option_text("NAME");
   app.add_option("--pipeline", line.pipeline, "fast or reference (default fast)")->option_text("NAME");
-  app.add_option("--skip", line.skip,
-                 "Work that is left out where the picture needs none: all (default), none, or some of frustum, facing,\n"
-                 "occlusion, samples, blocks")
+  app.add_option(
+         "--skip", line.skip,
+         "Work that is left out where the picture needs none: all (default), none, or some of frustum, facing,\n"
+         "occlusion, samples, blocks")
       ->option_text("LIST");
 }
 

@@ -73,9 +73,9 @@ class SceneDraws {
   const geometry::Scene& scene_;
   Params params_;
   std::map<TextureKey, std::unique_ptr<const raster::Texture>> textures_;
-  std::vector<std::unique_ptr<const Surface>> surfaces_;  ///< [meshes]; null where no instance has the mesh
+  std::vector<std::unique_ptr<const Surface>> surfaces_;           ///< [meshes]; null where no instance has the mesh
   std::vector<std::unique_ptr<const raster::Clusters>> clusters_;  ///< [meshes]; null where there are none
-  std::vector<raster::Draw> draws_;                       ///< [instances], all but the matrix
+  std::vector<raster::Draw> draws_;                                ///< [instances], all but the matrix
 };
 
 }  // namespace lode::techniques

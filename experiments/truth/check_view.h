@@ -26,8 +26,9 @@ struct ViewCheck {
   [[nodiscard]] bool edge_bound_holds() const { return double(picture.of(Verdict::edge)) <= std::ceil(edge_bound()); }
 };
 
-/// Renders, as the options say, traces with as many threads, and compares. `on_pixels`, if given, is called from any thread with numbers that sum up to w·h, as
-/// parts of the work are done. Throws raster::Error, geometry::Error (machine).
+/// Renders, as the options say, traces with as many threads, and compares. `on_pixels`, if given, is called from any
+/// thread with numbers that sum up to w·h, as parts of the work are done. Throws raster::Error, geometry::Error
+/// (machine).
 [[nodiscard]] ViewCheck check_view(const techniques::SceneDraws& draws, const geometry::Camera& camera,
                                    const geometry::Bounds& bounds, glm::ivec2 size_px,
                                    const raster::RenderOptions& options,

@@ -10,6 +10,7 @@
 // GCC before 12.3 may break EMU128 when it vectorizes its loops (GCC bug 106322), and Highway then has a lesser set of
 // operations instead. raster/CMakeLists.txt turns that pass of the compiler off for these kernels.
 #define HWY_BROKEN_EMU128 0
+#define HWY_IS_DEBUG_BUILD 0  // its assertions end in the library
 #include <hwy/detect_targets.h>
 
 // What some versions lack is none of their targets.
