@@ -13,6 +13,7 @@ namespace lode::raster {
 namespace {
 
 constexpr int kBins = 16;
+constexpr float kStackedShare = 0.4f;  // of the common box's area, in the mean
 constexpr std::size_t kParallelBelow = 1 << 15;  // triangles of a subtree that is one task
 
 struct Box {
@@ -38,6 +39,27 @@ struct Item {
   Box box;
   std::uint32_t primitive;
   [[nodiscard]] glm::vec3 centre() const { return 0.5f * box.low + 0.5f * box.high; }
+};
+
+/// A node of the binary tree: children are nodes `first` and `first + 1`, or `first` is a cluster.
+struct Node {
+  Box box;
+  std::uint32_t first = 0;
+  bool leaf = false;
+};
+
+/// Directions about an axis.
+struct Cone {
+  glm::vec3 axis{0.0f, 0.0f, 1.0f};
+  float cos = -1.0f;  ///< ≤ 0: no use
+  float least_normal = 0.0f;
+};
+
+/// A part of the binary tree with what its leaves hold.
+struct Part {
+  std::vector<Node> nodes;
+  std::vector<Cone> cones;  ///< [clusters]
+  Clusters out;
 };
 
 class Builder {
@@ -72,21 +94,22 @@ class Builder {
     // The upper part of the tree, down to ranges that are a task each; then the tasks; then their trees are put in
     // place.
     std::vector<Range> tasks;
-    Clusters all;
+    Part all;
     if (n > 0) {
       all.nodes.emplace_back();
       split_upper(all, 0, {0, n}, tasks);
     }
-    std::vector<Clusters> parts(tasks.size());
+    std::vector<Part> parts(tasks.size());
     parallel_for(tasks.size(), workers, [&](std::size_t i, int) {
       parts[i].nodes.emplace_back();
       split(parts[i], 0, tasks[i]);
     });
     for (std::size_t i = 0; i < parts.size(); ++i) append(all, tasks[i].node, parts[i]);
-    all.corners.resize(all.corners.size() + 1);  // three bytes are read as four
-    all.n_positions = positions_.size();
-    all.n_primitives = n;
-    return all;
+    if (n > 0) fold(all);
+    all.out.corners.resize(all.out.corners.size() + 1);  // three bytes are read as four
+    all.out.n_positions = positions_.size();
+    all.out.n_primitives = n;
+    return std::move(all.out);
   }
 
  private:
@@ -101,10 +124,8 @@ class Builder {
     return box;
   }
 
-  static void set_box(ClusterNode& node, const Box& box) { node.low = box.low, node.high = box.high; }
-
-  void split_upper(Clusters& out, std::uint32_t node, Range r, std::vector<Range>& tasks) {
-    set_box(out.nodes[node], box_of(r));
+  void split_upper(Part& out, std::uint32_t node, Range r, std::vector<Range>& tasks) {
+    out.nodes[node].box = box_of(r);
     if (r.end - r.first <= kParallelBelow) {
       r.node = node;
       tasks.push_back(r);
@@ -118,15 +139,26 @@ class Builder {
     split_upper(out, first + 1, {middle, r.end}, tasks);
   }
 
-  void split(Clusters& out, std::uint32_t node, Range r) {
-    set_box(out.nodes[node], box_of(r));
-    if (r.end - r.first <= std::size_t(kMaxClusterTriangles) && add_cluster(out, node, r)) return;
+  void split(Part& out, std::uint32_t node, Range r) {
+    out.nodes[node].box = box_of(r);
+    const std::size_t n = r.end - r.first;
+    if (n <= std::size_t(kMaxClusterTriangles) && (n == 1 || !stacked(out.nodes[node].box, r)) &&
+        add_cluster(out, node, r)) {
+      return;
+    }
     const std::size_t middle = partition(r);
     const auto first = std::uint32_t(out.nodes.size());
     out.nodes[node].first = first;
     out.nodes.resize(first + 2);
     split(out, first, {r.first, middle});
     split(out, first + 1, {middle, r.end});
+  }
+
+  /// Triangles that are nearly as large as their common box: apart, they can be drawn front to back.
+  [[nodiscard]] bool stacked(const Box& box, const Range& r) const {
+    float sum = 0.0f;
+    for (std::size_t i = r.first; i < r.end; ++i) sum += items_[i].box.half_area();
+    return sum > kStackedShare * box.half_area() * float(r.end - r.first);
   }
 
   /// Where the binned surface area heuristic splits the range, which it reorders; the middle where it has no opinion.
@@ -177,7 +209,8 @@ class Builder {
   }
 
   /// Makes the range a cluster under the node, if it has not too many vertices.
-  bool add_cluster(Clusters& out, std::uint32_t node, const Range& r) {
+  bool add_cluster(Part& part, std::uint32_t node, const Range& r) {
+    Clusters& out = part.out;
     std::array<std::uint32_t, 3 * kMaxClusterTriangles> wanted, unique;
     const std::size_t n = r.end - r.first;
     for (std::size_t t = 0; t < n; ++t) {
@@ -205,40 +238,45 @@ class Builder {
       out.corners.push_back(std::uint8_t(std::lower_bound(unique.begin(), unique_end, wanted[k]) - unique.begin()));
     }
     for (std::size_t t = 0; t < n; ++t) out.primitives.push_back(items_[r.first + t].primitive);
-    set_cone(cluster, {wanted.data(), 3 * n});
-    out.nodes[node].leaf = true;
-    out.nodes[node].first = std::uint32_t(out.clusters.size());
+    part.cones.push_back(cone_of({wanted.data(), 3 * n}));
+    part.nodes[node].leaf = true;
+    part.nodes[node].first = std::uint32_t(out.clusters.size());
     out.clusters.push_back(cluster);
     return true;
   }
 
-  /// The mean normal and the farthest from it. A triangle without area faces nowhere and does not count.
-  void set_cone(Cluster& cluster, std::span<const std::uint32_t> corners) const {
+  /// The mean normal and the farthest from it. A triangle two of whose corners are the same never has a sample, and
+  /// does not count; one whose corners lie on a line may get one from rounding, and faces anywhere.
+  [[nodiscard]] Cone cone_of(std::span<const std::uint32_t> corners) const {
     std::array<glm::dvec3, kMaxClusterTriangles> normals;
     std::size_t n = 0;
     glm::dvec3 sum(0.0);
+    double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < corners.size(); k += 3) {
       const glm::dvec3 a(positions_[corners[k]]), b(positions_[corners[k + 1]]), c(positions_[corners[k + 2]]);
+      if (a == b || b == c || c == a) continue;
       const glm::dvec3 normal = glm::cross(b - a, c - a);
       const double length = std::sqrt(glm::dot(normal, normal));
-      if (!(length > 0.0)) continue;
+      if (!(length > 0.0) || !std::isfinite(length)) return {};
+      shortest = std::min(shortest, length);
       normals[n++] = normal / length;
       sum += normals[n - 1];
     }
     const double length = std::sqrt(glm::dot(sum, sum));
-    if (!(length > 0.0) || !std::isfinite(length)) return;
-    cluster.cone_axis = glm::vec3(sum / length);
+    if (!(length > 0.0)) return {};
+    Cone cone{glm::vec3(sum / length), 1.0f, float(0.999 * shortest)};
     double least = 1.0;
-    for (std::size_t i = 0; i < n; ++i) least = std::min(least, glm::dot(normals[i], glm::dvec3(cluster.cone_axis)));
-    cluster.cone_cos = float(least) - 1e-5f;  // rounded down, whatever rounding there was
+    for (std::size_t i = 0; i < n; ++i) least = std::min(least, glm::dot(normals[i], glm::dvec3(cone.axis)));
+    cone.cos = float(least) - 1e-5f;  // rounded down, whatever rounding there was
+    return cone;
   }
 
   /// Puts a task's tree where its root stands; its other nodes, clusters and vertices go to the ends.
-  static void append(Clusters& all, std::uint32_t root, const Clusters& part) {
+  static void append(Part& all, std::uint32_t root, const Part& part) {
     const auto node_base = std::uint32_t(all.nodes.size()) - 1;  // the part's node 0 is the root here
-    const auto cluster_base = std::uint32_t(all.clusters.size());
+    const auto cluster_base = std::uint32_t(all.out.clusters.size());
     for (std::size_t i = 0; i < part.nodes.size(); ++i) {
-      ClusterNode node = part.nodes[i];
+      Node node = part.nodes[i];
       node.first += node.leaf ? cluster_base : node_base;
       if (i == 0) {
         all.nodes[root] = node;
@@ -246,16 +284,57 @@ class Builder {
         all.nodes.push_back(node);
       }
     }
-    for (Cluster cluster : part.clusters) {
-      cluster.first_vertex += std::uint32_t(all.vertices.size());
-      cluster.first_triangle += std::uint32_t(all.primitives.size());
-      all.clusters.push_back(cluster);
+    for (Cluster cluster : part.out.clusters) {
+      cluster.first_vertex += std::uint32_t(all.out.vertices.size());
+      cluster.first_triangle += std::uint32_t(all.out.primitives.size());
+      all.out.clusters.push_back(cluster);
     }
     const auto extend = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    extend(all.x, part.x), extend(all.y, part.y), extend(all.z, part.z);
-    extend(all.vertices, part.vertices);
-    extend(all.corners, part.corners);
-    extend(all.primitives, part.primitives);
+    extend(all.cones, part.cones);
+    extend(all.out.x, part.out.x), extend(all.out.y, part.out.y), extend(all.out.z, part.out.z);
+    extend(all.out.vertices, part.out.vertices);
+    extend(all.out.corners, part.out.corners);
+    extend(all.out.primitives, part.out.primitives);
+  }
+
+  /// Folds the binary tree into groups: from a root, the largest box is opened until there are sixteen.
+  static void fold(Part& part) {
+    Clusters& out = part.out;
+    out.low = part.nodes[0].box.low, out.high = part.nodes[0].box.high;
+    std::vector<std::uint32_t> roots = {0};  // of the groups, in their order
+    out.groups.emplace_back();
+    for (std::size_t g = 0; g < roots.size(); ++g) {
+      std::vector<std::uint32_t> open = {roots[g]};
+      while (open.size() < std::size_t(ClusterGroup::kMost)) {
+        const auto largest = std::max_element(open.begin(), open.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return openable(part.nodes[a]) < openable(part.nodes[b]);
+        });
+        const Node& node = part.nodes[*largest];
+        if (node.leaf) break;
+        *largest = node.first;
+        open.push_back(node.first + 1);
+      }
+      ClusterGroup group{};
+      for (const std::uint32_t n : open) {
+        const Node& node = part.nodes[n];
+        const Cone cone = node.leaf ? part.cones[node.first] : Cone{};
+        for (int axis = 0; axis < 3; ++axis) {
+          group.low[axis][group.n] = node.box.low[axis], group.high[axis][group.n] = node.box.high[axis];
+          group.cone_axis[axis][group.n] = cone.axis[axis];
+        }
+        group.cone_cos[group.n] = cone.cos;
+        group.least_normal[group.n] = cone.least_normal;
+        group.child[group.n++] = node.leaf ? ClusterGroup::kIsCluster | node.first : std::uint32_t(roots.size());
+        if (!node.leaf) roots.push_back(n);
+      }
+      out.groups.resize(roots.size());
+      out.groups[g] = group;
+    }
+  }
+  /// Which node to open first: inner ones by area, leaves never.
+  static float openable(const Node& node) {
+    const float area = node.box.half_area();
+    return node.leaf ? -1.0f : (std::isfinite(area) ? area : std::numeric_limits<float>::max());
   }
 
   std::span<const glm::vec3> positions_;

@@ -15,6 +15,21 @@ struct FrameStats {
   std::uint64_t primitives_facing = 0;      ///< culled by facing
   std::uint64_t primitives_empty = 0;       ///< zero area after the snap, radius ≤ 0, no length
   std::uint64_t primitives_clipped = 0;     ///< cut by at least one plane
+  // Of the fast pipeline's clusters, tile by tile: a box that touches two tiles counts twice.
+  std::uint64_t boxes_tested = 0;           ///< of clusters and of groups of them
+  std::uint64_t boxes_outside = 0;          ///< not in the view, or not in the tile
+  std::uint64_t boxes_facing = 0;           ///< all triangles face away
+  std::uint64_t boxes_hidden = 0;           ///< behind what was drawn already
+  std::uint64_t clusters_drawn = 0;
+  std::uint64_t triangles_in = 0;           ///< of those clusters
+  std::uint64_t triangles_without_sample = 0;
+  std::uint64_t triangles_facing = 0;
+  std::uint64_t triangles_empty = 0;
+  std::uint64_t triangles_rasterized = 0;   ///< pieces among them
+  std::uint64_t blocks_touched = 0;         ///< 4×4 of triangles up to 64 px, 8×8 of larger ones
+  std::uint64_t blocks_outside = 0;         ///< in a triangle's box, but not in the triangle
+  std::uint64_t blocks_hidden = 0;
+
   std::uint64_t pieces = 0;                 ///< triangles, lines, … left after culling and clipping, in the target or beside it
   std::uint64_t tiles = 0;                  ///< tiles that any piece's bounds touch
   std::uint64_t fragments_covered = 0;      ///< samples inside a primitive and the scissor
@@ -38,6 +53,19 @@ void for_each_counter(const FrameStats& s, Visit visit) {
   visit("primitives_facing", s.primitives_facing);
   visit("primitives_empty", s.primitives_empty);
   visit("primitives_clipped", s.primitives_clipped);
+  visit("boxes_tested", s.boxes_tested);
+  visit("boxes_outside", s.boxes_outside);
+  visit("boxes_facing", s.boxes_facing);
+  visit("boxes_hidden", s.boxes_hidden);
+  visit("clusters_drawn", s.clusters_drawn);
+  visit("triangles_in", s.triangles_in);
+  visit("triangles_without_sample", s.triangles_without_sample);
+  visit("triangles_facing", s.triangles_facing);
+  visit("triangles_empty", s.triangles_empty);
+  visit("triangles_rasterized", s.triangles_rasterized);
+  visit("blocks_touched", s.blocks_touched);
+  visit("blocks_outside", s.blocks_outside);
+  visit("blocks_hidden", s.blocks_hidden);
   visit("pieces", s.pieces);
   visit("tiles", s.tiles);
   visit("fragments_covered", s.fragments_covered);

@@ -2,7 +2,6 @@
 // Compiled once for each instruction set (Highway's re-included headers).
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "raster/fast/kernels.h"
@@ -20,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
-float LeastOfBlock(const TileBuffers& tile, int block) {
+HWY_INLINE float LeastOfBlock(const TileBuffers& tile, int block) {
   const Floats f;
   auto least = hn::Load(f, tile.depth + 64 * block);
   for (std::size_t i = hn::Lanes(f); i < 64; i += hn::Lanes(f))
@@ -28,20 +27,25 @@ float LeastOfBlock(const TileBuffers& tile, int block) {
   return hn::GetLane(hn::MinOfLanes(f, least));
 }
 
-float LeastDepth(TileBuffers& tile, int begin_x, int begin_y, int end_x, int end_y) {
-  float least = 2.0f;
-  for (int by = begin_y >> 3; by <= (end_y - 1) >> 3; ++by) {
-    for (int bx = begin_x >> 3; bx <= (end_x - 1) >> 3; ++bx) {
-      const int block = by * kBlocksPerRow + bx;
-      if (tile.stale[block]) {
-        tile.stale[block] = 0;
-        tile.block_min[block] = LeastOfBlock(tile, block);
-      }
-      least = std::min(least, tile.block_min[block]);
-      if (least < 0.0f) return least;
+/// True if every sample of the block is nearer than that. Depths only grow, so what was found is a bound while it is
+/// stale, and a stale block is looked at again only where the bound does not tell.
+HWY_INLINE bool BlockHidden(TileBuffers& tile, int block, float nearest) {
+  if (nearest < tile.block_min[block]) return true;
+  if (!tile.stale[block]) return false;
+  tile.stale[block] = 0;
+  tile.block_min[block] = LeastOfBlock(tile, block);
+  return nearest < tile.block_min[block];
+}
+
+bool Hidden(TileBuffers& tile, const reference::PixelBox& pixels, float nearest) {
+  const int x0 = pixels.begin_px.x >> 3, y0 = pixels.begin_px.y >> 3;
+  const int x1 = (pixels.end_px.x - 1) >> 3, y1 = (pixels.end_px.y - 1) >> 3;
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      if (!BlockHidden(tile, y * kBlocksPerRow + x, nearest)) return false;
     }
   }
-  return least;
+  return true;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -53,8 +53,9 @@ void ShadeFlat(const FlatJob& job, const std::uint32_t* owners, float* rgba) {
     const auto window_first = hn::Mul(resident, hn::Set(i32, 768));
     I x[3], y[3];
     for (int k = 0; k < 3; ++k) {
-      x[k] = hn::GatherIndex(i32, window, hn::Add(window_first, local[k]));
-      y[k] = hn::GatherIndex(i32, window + 128, hn::Add(window_first, local[k]));
+      const auto at_vertex = hn::Add(window_first, hn::ShiftLeft<1>(local[k]));
+      x[k] = hn::GatherIndex(i32, window, at_vertex);
+      y[k] = hn::GatherIndex(i32, window + 1, at_vertex);
     }
     const auto sort_pair = [&](int a, int b) HWY_ATTR {
       const auto swap = hn::Or(hn::Lt(x[b], x[a]), hn::And(hn::Eq(x[b], x[a]), hn::Lt(y[b], y[a])));
@@ -75,8 +76,8 @@ void ShadeFlat(const FlatJob& job, const std::uint32_t* owners, float* rgba) {
       const auto index = hn::PromoteTo(i64, hn::Add(hn::Mul(resident, hn::Set(i32, 384)), local[k]));
       w[k] = hn::GatherIndex(d, window_w, index);
     }
-    const auto px = hn::PromoteTo(d, hn::Add(hn::Set(i32, job.x_fx8), hn::Load(i32, kLaneX_fx8 + lane)));
-    const auto py = hn::PromoteTo(d, hn::Add(hn::Set(i32, job.y_fx8), hn::Load(i32, kLaneY_fx8 + lane)));
+    const auto px = hn::PromoteTo(d, hn::LoadU(i32, job.x_fx8 + lane));
+    const auto py = hn::PromoteTo(d, hn::LoadU(i32, job.y_fx8 + lane));
     const auto area = hn::Sub(hn::Mul(hn::Sub(xd[1], xd[0]), hn::Sub(yd[2], yd[0])),
                               hn::Mul(hn::Sub(yd[1], yd[0]), hn::Sub(xd[2], xd[0])));
     for (int k = 0; k < 3; ++k) {  // exact: whole numbers below 2^53

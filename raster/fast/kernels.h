@@ -9,6 +9,7 @@
 
 #include "raster/clusters.h"
 #include "raster/frame.h"
+#include "raster/reference/primitive.h"
 #include "raster/render.h"
 
 namespace lode::raster::fast {
@@ -29,22 +30,31 @@ struct DrawView {
   std::array<double, 16> clip_from_object{};  ///< rows
   glm::dvec2 centre_fx8{0.0}, half_fx8{0.0};  ///< viewport
   Cull cull = Cull::none;
+  /// det(x, y, w) of a triangle's corners in clip space is n · (eye − eye_w · p), n = (b − a) × (c − a), p any of them.
+  glm::dvec3 eye{0.0};
+  double eye_w = 0.0;
 };
 
-/// A box on the screen.
-struct Projected {
-  bool outside = false;  ///< no point of it is in the view
-  bool clean = false;  ///< every point of it is inside the near and far planes and the guard band, sure under rounding
-  int begin_x = 0, begin_y = 0, end_x = 0, end_y = 0;  ///< if clean: pixels that it may cover
-  float nearest = 1.0f;                                ///< if clean: no depth of it is greater
+/// A box as the camera sees it.
+enum class Sight : std::uint32_t {
+  clean,    ///< every point of it is inside the near and far planes and the guard band, sure under rounding
+  unclean,  ///< some may be cut
+  outside,  ///< no point of it is in the view and the window
+  facing,   ///< all triangles in it are culled by facing, sure under rounding
+};
+struct BoxSight {
+  Sight sight = Sight::outside;
+  float nearest = 1.0f;     ///< if clean: no depth of it is greater
+  reference::PixelBox pixels;  ///< if clean: of the window, those that it may cover
 };
 
 /// A cluster's vertices in the window.
 struct WindowVertices128 {
-  alignas(64) std::int32_t x_fx8[kMaxClusterVertices];  ///< from the tile's corner
-  alignas(64) std::int32_t y_fx8[kMaxClusterVertices];
+  alignas(64) std::uint64_t xy_fx8[kMaxClusterVertices];  ///< from the tile's corner: x low, y high
   alignas(64) double z[kMaxClusterVertices];
   alignas(64) double w[kMaxClusterVertices];
+  [[nodiscard]] std::int32_t x_fx8(std::size_t i) const { return std::int32_t(std::uint32_t(xy_fx8[i])); }
+  [[nodiscard]] std::int32_t y_fx8(std::size_t i) const { return std::int32_t(xy_fx8[i] >> 32); }
 };
 
 /// One tile's samples, places as place_in_tile. A sample that nothing owns has depth −1.
@@ -55,17 +65,20 @@ struct TileBuffers {
   alignas(64) std::uint8_t stale[kBlocksPerRow * kBlocksPerRow];
 };
 
+/// What the kernels of one tile did and did not do.
 struct RasterCounts {
-  std::uint64_t triangles_in = 0, facing = 0, empty = 0, no_sample = 0, rasterized = 0;
-  std::uint64_t blocks = 0, blocks_hidden = 0, fragments_passed = 0;
+  std::uint64_t triangles_in = 0, facing = 0, empty = 0, no_sample = 0, tiny = 0, medium = 0, large = 0;
+  std::uint64_t blocks = 0, blocks_outside = 0, blocks_hidden = 0, fragments = 0, fragments_passed = 0;
 };
 
 /// What rasterizing a cluster needs.
 struct RasterJob {
   const std::uint8_t* corners = nullptr;  ///< [3·n]
   int n_triangles = 0;
+  const std::uint64_t* wanted = nullptr;  ///< [2] bit k: triangle k; null: all
   const WindowVertices128* vertices = nullptr;
   Cull cull = Cull::none;
+  Skips skips;
   int begin_x = 0, begin_y = 0, end_x = 0, end_y = 0;  ///< pixels of the tile that may be written
   int sample_x_fx8 = 128, sample_y_fx8 = 128;
   std::uint32_t first_owner = 0;  ///< triangle k owns its samples as first_owner + k
@@ -74,6 +87,13 @@ struct RasterJob {
   bool (*key_before)(const void* context, std::uint32_t a, std::uint32_t b) = nullptr;
   /// The sign of a triangle's unsnapped determinant, where its snapped area is too small to tell.
   int (*facing_sign)(const void* context, std::uint32_t triangle) = nullptr;
+};
+
+/// A triangle by itself.
+struct LoneTriangle {
+  std::array<std::int32_t, 3> x_fx8{}, y_fx8{};  ///< from the tile's corner, canonical order
+  std::array<double, 3> z{};
+  std::uint32_t owner = 0;
 };
 
 /// A cluster with samples in the tile: where its vertices and triangles begin in its draw's clusters.
@@ -94,20 +114,85 @@ struct FlatJob {
   std::array<float, 4> color{};   ///< the draw's, if has_color
   bool has_color = false;
   float full = 255.0f;       ///< 255 for bytes, 1 for floats
-  int x_fx8 = 0, y_fx8 = 0;  ///< the first sample of the 4×4, from the tile's corner
+  const std::int32_t* x_fx8 = nullptr;  ///< [16] samples, from the tile's corner
+  const std::int32_t* y_fx8 = nullptr;
+};
+
+/// A cluster's vertex as colour records are made from it.
+struct CornerRecord {
+  std::int32_t x_fx8, y_fx8;  ///< from the tile's corner
+  float inverse_w;
+  float unused;
+  float rgba[4];
+};
+
+/// A triangle's colours: (value + right·dx + down·dy) / (1 + d_right·dx + d_down·dy), pixels from a reference one.
+struct alignas(64) ColorRecord {
+  float quads[4][4];  ///< d_right, d_down, reference pixel (bits: x + 256·y), error; value; right; down (rgba each)
+};
+
+/// What colour records are made from.
+struct RecordJob {
+  const std::uint8_t* corners = nullptr;   ///< of the cluster
+  const CornerRecord* vertices = nullptr;  ///< of the cluster
+  std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};  ///< the draw's colour, of 1
+  bool scaled = false;
+  int sample_x_fx8 = 128, sample_y_fx8 = 128;
+};
+
+/// A sample whose byte the records could not tell.
+struct Doubtful {
+  std::uint32_t place;
+  std::uint16_t x_px, y_px;  ///< in the tile
+};
+
+/// Bytes of a tile's samples from the records of their owners.
+struct ResolveJob {
+  const TileBuffers* tile = nullptr;
+  const std::uint32_t* record_of = nullptr;  ///< [owners of the kernels] or kNoRecord
+  const ColorRecord* records = nullptr;
+  std::uint32_t clear = 0;
+  std::uint32_t* rgba8 = nullptr;
+  int width_px = 0, height_px = 0;
+  Doubtful* doubtful = nullptr;  ///< room for every sample
+  std::size_t* n_doubtful = nullptr;
+  std::uint64_t* n_shaded = nullptr;
+  const void* context = nullptr;
+  /// Shades those samples of a 4×4 that have no record.
+  void (*shade_others)(const void* context, int x_px, int y_px, std::uint32_t lanes) = nullptr;
+};
+inline constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
+
+/// A tile's planes of 32-bit values to the image's rows.
+struct WriteJob {
+  const void* from = nullptr;
+  void* to = nullptr;  ///< the tile's first pixel
+  std::size_t pitch_px = 0;
+  int width_px = 0, height_px = 0;
+  bool depths = false;  ///< what nothing owns becomes 0
 };
 
 struct Kernels {
   Target target;
-  Projected (*project)(const DrawView& view, const glm::vec3& low, const glm::vec3& high);
+  /// Looks at the boxes of a group, or at one box.
+  void (*look)(const DrawView& view, const ClusterGroup& group, const reference::PixelBox& window, const Skips& skips, BoxSight* out);
   /// x, y, z [n, padded]
   void (*transform)(const DrawView& view, const float* x, const float* y, const float* z, int n,
                     std::int32_t origin_x_fx8, std::int32_t origin_y_fx8, WindowVertices128* out);
   /// True if any sample's owner has changed.
   bool (*rasterize)(const RasterJob& job, TileBuffers& tile, RasterCounts& counts);
-  /// Least depth over the blocks that the pixels [begin, end) touch; refreshes the stale ones.
-  float (*least_depth)(TileBuffers& tile, int begin_x, int begin_y, int end_x, int end_y);
-  /// Colours of a 4×4's samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
+  bool (*rasterize_lone)(const RasterJob& job, const LoneTriangle& triangle, TileBuffers& tile, RasterCounts& counts);
+  /// True if every sample of the blocks that the pixels (of the tile, not empty) touch is nearer than `nearest`.
+  bool (*hidden)(TileBuffers& tile, const reference::PixelBox& pixels, float nearest);
+  /// Of n of the cluster's triangles, corners at most 64 px apart.
+  void (*make_records)(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records);
+  /// Bytes of a 4×4 whose first pixel in the tile is given; each sample has its record. Returns the samples, a bit each,
+  /// that must be shaded exactly instead.
+  std::uint32_t (*shade_records)(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,
+                                 std::uint32_t* bytes);
+  void (*resolve_records)(const ResolveJob& job);
+  void (*write_tile)(const WriteJob& job);
+  /// Colours of sixteen samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).
   void (*store_bytes)(const float* rgba, std::uint32_t* bytes);

@@ -30,6 +30,8 @@ alignas(64) constexpr std::int32_t kLaneX_fx8[16] = {0, 256, 512, 768, 0, 256, 5
                                                      0, 256, 512, 768, 0, 256, 512, 768};
 alignas(64) constexpr std::int32_t kLaneY_fx8[16] = {0,   0,   0,   0,   256, 256, 256, 256,
                                                      512, 512, 512, 512, 768, 768, 768, 768};
+alignas(64) constexpr double kLaneXInDouble[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr double kLaneYInDouble[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 alignas(64) constexpr std::int32_t kLaneX[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr std::int32_t kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 

@@ -25,6 +25,8 @@ void Transform(const DrawView& v, const float* xs, const float* ys, const float*
   const Doubles d;
   const HalfFloats f;
   const HalfInts di;
+  const hn::Rebind<std::uint32_t, Doubles> du;
+  const hn::Rebind<std::uint64_t, Doubles> d64;
   const auto* m = v.clip_from_object.data();
   // The part of the viewport's centre that is a whole number is added after rounding, as in the reference.
   const auto centre_x = hn::Set(d, v.centre_fx8.x), centre_y = hn::Set(d, v.centre_fx8.y);
@@ -44,8 +46,10 @@ void Transform(const DrawView& v, const float* xs, const float* ys, const float*
     const auto clamped_x = hn::Min(hn::Max(sx, minus_guard), guard);
     const auto clamped_y = hn::Min(hn::Max(sy, minus_guard), guard);
     const auto depth = hn::Min(hn::Max(hn::Div(cz, cw), hn::Zero(d)), hn::Set(d, 1.0));
-    hn::StoreU(hn::Sub(hn::DemoteTo(di, clamped_x), hn::Set(di, origin_x_fx8)), di, out->x_fx8 + i);
-    hn::StoreU(hn::Sub(hn::DemoteTo(di, clamped_y), hn::Set(di, origin_y_fx8)), di, out->y_fx8 + i);
+    const auto ix = hn::Sub(hn::DemoteTo(di, clamped_x), hn::Set(di, origin_x_fx8));
+    const auto iy = hn::Sub(hn::DemoteTo(di, clamped_y), hn::Set(di, origin_y_fx8));
+    const auto low = hn::PromoteTo(d64, hn::BitCast(du, ix)), high = hn::PromoteTo(d64, hn::BitCast(du, iy));
+    hn::StoreU(hn::Or(low, hn::ShiftLeft<32>(high)), d64, out->xy_fx8 + i);
     hn::StoreU(hn::Add(depth, hn::Zero(d)), d, out->z + i);
     hn::StoreU(cw, d, out->w + i);
   }

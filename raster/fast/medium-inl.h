@@ -1,0 +1,204 @@
+// Triangles up to 64 px: set up sixteen at a time, then walked one by one in 4×4 blocks, a sample a lane.
+// Compiled once for each instruction set (Highway's re-included headers).
+
+#include <algorithm>
+#include <cstdint>
+
+#include "raster/fast/kernels.h"
+
+#if defined(LODE_RASTER_FAST_MEDIUM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LODE_RASTER_FAST_MEDIUM_INL_H_
+#undef LODE_RASTER_FAST_MEDIUM_INL_H_
+#else
+#define LODE_RASTER_FAST_MEDIUM_INL_H_
+#endif
+
+#include "raster/fast/edges-inl.h"
+#include "raster/fast/plane-inl.h"
+#include "raster/fast/sift-inl.h"
+#include "raster/fast/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lode::raster::fast {
+namespace HWY_NAMESPACE {
+
+/// A 4×4's old depths and owners against a triangle's new ones: writes the nearer; returns how many.
+template <class Mask>
+HWY_INLINE int KeepNearer(const RasterJob& job, TileBuffers& tile, int place, Mask covered, hn::Vec<Floats> z,
+                          std::uint32_t owner) {
+  const Floats f;
+  const hn::RebindToUnsigned<Floats> u;
+  const auto old = hn::Load(f, tile.depth + place);
+  auto wins = hn::And(covered, hn::Gt(z, old));
+  const auto equal = hn::And(covered, hn::Eq(z, old));
+  if (HWY_UNLIKELY(!hn::AllFalse(f, equal))) {
+    alignas(64) std::uint32_t flags[16];
+    hn::Store(hn::VecFromMask(u, hn::RebindMask(u, equal)), u, flags);
+    for (std::size_t i = 0; i < hn::Lanes(f); ++i) {
+      flags[i] = flags[i] && job.key_before(job.context, owner, tile.owner[std::size_t(place) + i]) ? ~0u : 0u;
+    }
+    wins = hn::Or(wins, hn::RebindMask(f, hn::MaskFromVec(hn::BitCast(f, hn::Load(u, flags)))));
+  }
+  const auto n = hn::CountTrue(f, wins);
+  if (n == 0) return 0;
+  hn::Store(hn::IfThenElse(wins, z, old), f, tile.depth + place);
+  hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), hn::Set(u, owner), hn::Load(u, tile.owner + place)), u,
+            tile.owner + place);
+  return int(n);
+}
+
+/// Sixteen set-ups side by side, [16] each: from the first sample of the 4×4 block that holds the box's first pixel.
+struct MediumSetups {
+  alignas(64) std::int32_t at[3][16], right[3][16], down[3][16];
+  alignas(64) std::int32_t begin_x[16], begin_y[16], end_x[16], end_y[16];  ///< pixels
+  DepthPlanes planes;
+};
+
+/// One of them as the walk needs it.
+struct MediumTriangle {
+  std::int32_t cx[3], cy[3];
+  double cz[3];
+  std::uint32_t owner;
+  int begin_x, begin_y, end_x, end_y;
+};
+
+/// Depths of the samples of some lanes by the exact way.
+HWY_NOINLINE void FixDepths(const RasterJob& job, const MediumTriangle& t, int x_px, int y_px, std::size_t first_lane,
+                            std::uint32_t doubtful, float* depths) {
+  for (std::size_t i = 0; doubtful >> i != 0; ++i) {
+    if ((doubtful >> i & 1) == 0) continue;
+    const std::size_t lane = first_lane + i;
+    depths[i] = ExactDepth(t.cx, t.cy, t.cz, x_px * 256 + kLaneX_fx8[lane] + job.sample_x_fx8,
+                           y_px * 256 + kLaneY_fx8[lane] + job.sample_y_fx8);
+  }
+}
+
+int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_setup, const MediumTriangle& t,
+               TileBuffers& tile, RasterCounts& counts) {
+  const Ints di;
+  const Floats f;
+  const Doubles d;
+  const HalfFloats hf;
+  const hn::RebindToUnsigned<Floats> u;
+  const int s = lane_of_setup;
+  const int bx0 = t.begin_x >> 2, bx1 = (t.end_x - 1) >> 2, by0 = t.begin_y >> 2, by1 = (t.end_y - 1) >> 2;
+  const bool ragged = ((job.begin_x | job.begin_y | job.end_x | job.end_y) & 3) != 0;
+  alignas(64) std::int32_t edge_lane[3][16];
+  std::int32_t row[3], right[3], down[3], most[3];
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t x = setups.right[k][s], y = setups.down[k][s];
+    row[k] = setups.at[k][s], right[k] = 4 * x, down[k] = 4 * y;
+    most[k] = 3 * (std::max(x, 0) + std::max(y, 0));
+    for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+      hn::Store(hn::Add(hn::Mul(hn::Set(di, x), hn::Load(di, kLaneX + l)), hn::Mul(hn::Set(di, y), hn::Load(di, kLaneY + l))),
+                di, edge_lane[k] + l);
+    }
+  }
+  alignas(64) double depth_lane[16];
+  const double z_x = setups.planes.x[s], z_y = setups.planes.y[s];
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
+    hn::Store(hn::Add(hn::Mul(hn::Set(d, z_x), hn::Load(d, kLaneXInDouble + l)),
+                      hn::Mul(hn::Set(d, z_y), hn::Load(d, kLaneYInDouble + l))),
+              d, depth_lane + l);
+  }
+  const auto error = hn::Set(d, setups.planes.error[s]);
+  const auto z_most = hn::Set(f, float(std::max({t.cz[0], t.cz[1], t.cz[2]})));
+  int n_passed = 0;
+  for (int by = by0; by <= by1; ++by) {
+    std::int32_t at[3] = {row[0], row[1], row[2]};
+    for (int bx = bx0; bx <= bx1; ++bx) {
+      const bool misses = ((at[0] + most[0]) | (at[1] + most[1]) | (at[2] + most[2])) < 0;
+      if (!misses || !job.skips.blocks) {
+        ++counts.blocks;
+        const int place = place_in_tile(bx * 4, by * 4);
+        const auto z_block = hn::Set(d, setups.planes.at[s] + (z_x * (4.0 * (bx - bx0)) + z_y * (4.0 * (by - by0))));
+        int passed = 0;
+        for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+          // Nothing to do where all is nearer than the whole triangle.
+          if (hn::AllTrue(f, hn::Gt(hn::Load(f, tile.depth + place + l), z_most)) && job.skips.blocks) continue;
+          const auto signs = hn::Or(hn::Or(hn::Add(hn::Set(di, at[0]), hn::Load(di, edge_lane[0] + l)),
+                                           hn::Add(hn::Set(di, at[1]), hn::Load(di, edge_lane[1] + l))),
+                                    hn::Add(hn::Set(di, at[2]), hn::Load(di, edge_lane[2] + l)));
+          auto inside = hn::Gt(signs, hn::Set(di, -1));
+          if (ragged) {
+            const auto lx = hn::Load(di, kLaneX + l), ly = hn::Load(di, kLaneY + l);
+            inside = hn::And(inside, hn::And(hn::Gt(lx, hn::Set(di, t.begin_x - bx * 4 - 1)),
+                                             hn::Lt(lx, hn::Set(di, t.end_x - bx * 4))));
+            inside = hn::And(inside, hn::And(hn::Gt(ly, hn::Set(di, t.begin_y - by * 4 - 1)),
+                                             hn::Lt(ly, hn::Set(di, t.end_y - by * 4))));
+          }
+          if (hn::AllFalse(di, inside)) continue;
+          counts.fragments += hn::CountTrue(di, inside);
+          alignas(64) float low[16], high[16];
+          for (std::size_t half = 0; half < hn::Lanes(di); half += hn::Lanes(d)) {
+            const RoundedDepths r = RoundBoth(hn::Add(z_block, hn::Load(d, depth_lane + l + half)), error);
+            hn::Store(r.low, hf, low + half);
+            hn::Store(r.high, hf, high + half);
+          }
+          const auto covered = hn::RebindMask(f, inside);
+          const auto doubt = hn::And(covered, hn::Ne(hn::Load(f, low), hn::Load(f, high)));
+          if (HWY_UNLIKELY(!hn::AllFalse(f, doubt))) {
+            alignas(64) std::uint32_t flags[16];
+            hn::Store(hn::VecFromMask(u, hn::RebindMask(u, doubt)), u, flags);
+            std::uint32_t lanes = 0;
+            for (std::size_t i = 0; i < hn::Lanes(di); ++i) lanes |= (flags[i] & 1) << i;
+            FixDepths(job, t, bx * 4, by * 4, l, lanes, low);
+          }
+          passed += KeepNearer(job, tile, place + int(l), covered, hn::Load(f, low), t.owner);
+        }
+        if (passed) tile.stale[place >> 6] = 1;
+        n_passed += passed;
+      } else {
+        ++counts.blocks_outside;
+      }
+      for (int k = 0; k < 3; ++k) at[k] += right[k];
+    }
+    for (int k = 0; k < 3; ++k) row[k] += down[k];
+  }
+  return n_passed;
+}
+
+int RasterizeMedium(const RasterJob& job, const TriangleList& list, TileBuffers& tile, RasterCounts& counts) {
+  const Ints di;
+  constexpr int kReach = 68;
+  MediumSetups setups;
+  int passed = 0;
+  for (int first = 0; first < list.n; first += int(hn::Lanes(di))) {
+    const int n = std::min(int(hn::Lanes(di)), list.n - first);
+    I x[3], y[3];
+    for (int k = 0; k < 3; ++k) x[k] = hn::LoadU(di, list.x[k] + first), y[k] = hn::LoadU(di, list.y[k] + first);
+    alignas(64) double z[3][16];
+    for (int i = 0; i < n; ++i) {
+      const std::uint8_t* corners = job.corners + 3 * list.triangle[first + i];
+      for (int k = 0; k < 3; ++k) z[k][i] = job.vertices->z[corners[k]];
+    }
+    const PixelBoxes box = BoxesOf(job, x, y);
+    const auto area = DoubledArea(x, y);
+    const auto px = hn::Add(hn::ShiftLeft<10>(hn::ShiftRight<2>(box.begin_x)), hn::Set(di, job.sample_x_fx8));
+    const auto py = hn::Add(hn::ShiftLeft<10>(hn::ShiftRight<2>(box.begin_y)), hn::Set(di, job.sample_y_fx8));
+    const LaneEdges e = EdgesOf(x, y, area, px, py);
+    PlanesOf(e, area, z, kReach, kReach, setups.planes);
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(hn::Sub(e.at[k], e.bias[k]), di, setups.at[k]);
+      hn::Store(e.right[k], di, setups.right[k]);
+      hn::Store(e.down[k], di, setups.down[k]);
+    }
+    hn::Store(box.begin_x, di, setups.begin_x), hn::Store(box.begin_y, di, setups.begin_y);
+    hn::Store(box.end_x, di, setups.end_x), hn::Store(box.end_y, di, setups.end_y);
+    for (int i = 0; i < n; ++i) {
+      MediumTriangle t;
+      t.owner = job.first_owner + std::uint32_t(list.triangle[first + i]);
+      for (int k = 0; k < 3; ++k) t.cx[k] = list.x[k][first + i], t.cy[k] = list.y[k][first + i], t.cz[k] = z[k][i];
+      t.begin_x = setups.begin_x[i], t.begin_y = setups.begin_y[i], t.end_x = setups.end_x[i], t.end_y = setups.end_y[i];
+      if (t.begin_x >= t.end_x || t.begin_y >= t.end_y) continue;
+      passed += WalkBlocks(job, setups, i, t, tile, counts);
+    }
+  }
+  return passed;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace lode::raster::fast
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

@@ -1,0 +1,265 @@
+// Colours of vertices across triangles, for bytes: each visible triangle's colours become planes once, and each sample
+// is a quotient of planes. Where the quotient is too near to a rounding boundary to tell the byte of C7 and C8, the sample
+// is left to the exact way.
+// Compiled once for each instruction set (Highway's re-included headers).
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#include "raster/fast/kernels.h"
+
+#if defined(LODE_RASTER_FAST_RESOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LODE_RASTER_FAST_RESOLVE_INL_H_
+#undef LODE_RASTER_FAST_RESOLVE_INL_H_
+#else
+#define LODE_RASTER_FAST_RESOLVE_INL_H_
+#endif
+
+#include "raster/fast/edges-inl.h"
+#include "raster/fast/sift-inl.h"
+#include "raster/fast/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lode::raster::fast {
+namespace HWY_NAMESPACE {
+
+using F = hn::Vec<Floats>;
+
+/// Error of a record's quotient, and of C7's own value, as a share of the sum of absolute terms: each is made of fewer
+/// than twenty operations rounded to float.
+constexpr float kRecordError = 0x1p-19f;
+
+/// Bytes as C8 rounds them, as floats.
+HWY_INLINE F RoundedToByte(F v) {
+  const Floats f;
+  const auto clamped = hn::Min(hn::Max(v, hn::Zero(f)), hn::Set(f, 255.0f));
+  const auto whole = hn::Trunc(clamped);
+  return hn::IfThenElse(hn::Ge(hn::Sub(clamped, whole), hn::Set(f, 0.5f)), hn::Add(whole, hn::Set(f, 1.0f)), whole);
+}
+
+/// The planes of sixteen triangles, from the corners' records a[k] = (x, y, 1/w, –) and c[k] = (r, g, b, a).
+void MakeSomeRecords(const RecordJob& job, const float (&a)[3][64], const float (&c)[3][64], float (&out)[4][64]) {
+  const Ints di;
+  const Floats f;
+  I x[3], y[3];
+  F inverse_w[3], colors[4][3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    F bits_x, bits_y, unused;
+    hn::LoadInterleaved4(f, a[k], bits_x, bits_y, inverse_w[k], unused);
+    x[k] = hn::BitCast(di, bits_x), y[k] = hn::BitCast(di, bits_y);
+    hn::LoadInterleaved4(f, c[k], colors[0][k], colors[1][k], colors[2][k], colors[3][k]);
+  }
+  const auto up = hn::Set(di, 255);
+  const auto sample_x = hn::Set(di, job.sample_x_fx8), sample_y = hn::Set(di, job.sample_y_fx8);
+  const auto first = [&](const I(&v)[3], I sample) HWY_ATTR {
+    return hn::Max(hn::Zero(di), hn::ShiftRight<8>(hn::Add(hn::Sub(Least(v[0], v[1], v[2]), sample), up)));
+  };
+  const auto last = [&](const I(&v)[3], I sample) HWY_ATTR {
+    return hn::Min(hn::Set(di, kTile_px - 1), hn::ShiftRight<8>(hn::Sub(Most(v[0], v[1], v[2]), sample)));
+  };
+  // The reference pixel is the middle of the box.
+  const auto low_x = first(x, sample_x), high_x = last(x, sample_x), low_y = first(y, sample_y), high_y = last(y, sample_y);
+  const auto ref_x = hn::ShiftRight<1>(hn::Add(low_x, high_x)), ref_y = hn::ShiftRight<1>(hn::Add(low_y, high_y));
+  const auto reach_x = hn::ConvertTo(f, hn::Max(hn::Sub(high_x, ref_x), hn::Sub(ref_x, low_x)));
+  const auto reach_y = hn::ConvertTo(f, hn::Max(hn::Sub(high_y, ref_y), hn::Sub(ref_y, low_y)));
+  const LaneEdges e = EdgesOf(x, y, DoubledArea(x, y), hn::Add(hn::ShiftLeft<8>(ref_x), sample_x),
+                              hn::Add(hn::ShiftLeft<8>(ref_y), sample_y));
+  F at[3], right[3], down[3];
+  for (int k = 0; k < 3; ++k) {
+    at[k] = hn::Mul(hn::ConvertTo(f, e.at[k]), inverse_w[k]);
+    right[k] = hn::Mul(hn::ConvertTo(f, e.right[k]), inverse_w[k]);
+    down[k] = hn::Mul(hn::ConvertTo(f, e.down[k]), inverse_w[k]);
+  }
+  const auto sum_of = [](const F(&v)[3]) HWY_ATTR { return hn::Add(hn::Add(v[0], v[1]), v[2]); };
+  const auto inverse = hn::Div(hn::Set(f, 1.0f), sum_of(at));
+  auto terms = hn::Zero(f);
+  for (int k = 0; k < 3; ++k) {
+    at[k] = hn::Mul(at[k], inverse), right[k] = hn::Mul(right[k], inverse), down[k] = hn::Mul(down[k], inverse);
+    terms = hn::Add(terms, hn::Add(hn::Abs(at[k]), hn::Add(hn::Mul(reach_x, hn::Abs(right[k])),
+                                                           hn::Mul(reach_y, hn::Abs(down[k])))));
+  }
+  const auto d_right = sum_of(right), d_down = sum_of(down);
+  auto most = hn::Zero(f);
+  F value[4], value_right[4], value_down[4];
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    F(&v)[3] = colors[channel];
+    const auto scale = hn::Set(f, job.scale[channel]);
+    const auto same = hn::And(hn::Eq(v[0], v[1]), hn::Eq(v[1], v[2]));
+    for (auto& corner : v) {
+      corner = hn::Mul(corner, scale);
+      most = hn::Max(most, hn::Abs(corner));
+    }
+    const auto blend = [&](const F(&b)[3]) HWY_ATTR {
+      return hn::Add(hn::Add(hn::Mul(b[0], v[0]), hn::Mul(b[1], v[1])), hn::Mul(b[2], v[2]));
+    };
+    // A colour that is the same at the corners is the same everywhere; as a byte it is never near a boundary. (With the
+    // draw's own colour on it, the product's rounding is C7's to decide.)
+    const auto flat = RoundedToByte(v[0]);
+    const auto steady = job.scaled ? hn::Lt(hn::Zero(f), hn::Zero(f)) : same;
+    value[channel] = hn::IfThenElse(steady, flat, blend(at));
+    value_right[channel] = hn::IfThenElse(steady, hn::Mul(flat, d_right), blend(right));
+    value_down[channel] = hn::IfThenElse(steady, hn::Mul(flat, d_down), blend(down));
+  }
+  const auto error = hn::Mul(hn::Mul(terms, hn::Max(most, hn::Set(f, 255.0f))), hn::Set(f, kRecordError));
+  const auto reference = hn::BitCast(f, hn::Or(hn::ShiftLeft<8>(ref_y), ref_x));
+  hn::StoreInterleaved4(d_right, d_down, reference, error, f, out[0]);
+  hn::StoreInterleaved4(value[0], value[1], value[2], value[3], f, out[1]);
+  hn::StoreInterleaved4(value_right[0], value_right[1], value_right[2], value_right[3], f, out[2]);
+  hn::StoreInterleaved4(value_down[0], value_down[1], value_down[2], value_down[3], f, out[3]);
+}
+
+void MakeRecords(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records) {
+  const int lanes = int(hn::Lanes(Floats()));
+  alignas(64) float a[3][64], c[3][64], out[4][64];
+  for (int first = 0; first < n; first += lanes) {
+    for (int i = 0; i < lanes; ++i) {
+      const std::uint8_t* corners = job.corners + 3 * std::size_t(triangles[std::min(first + i, n - 1)]);
+      for (int k = 0; k < 3; ++k) {
+        std::memcpy(&a[k][4 * i], &job.vertices[corners[k]], 16);
+        std::memcpy(&c[k][4 * i], job.vertices[corners[k]].rgba, 16);
+      }
+    }
+    MakeSomeRecords(job, a, c, out);
+    for (int i = 0; i < std::min(lanes, n - first); ++i) {
+      for (int q = 0; q < 4; ++q) std::memcpy(&records[first + i].quads[q], &out[q][4 * i], 16);
+    }
+  }
+}
+
+/// Lanes of a 4×4 from `lane`: bytes, and a bit for each lane that the records cannot tell.
+HWY_INLINE std::uint32_t ShadeSome(const F (&q)[4][4], std::size_t lane, int x_px, int y_px, std::uint32_t* bytes) {
+  const Ints di;
+  const Floats f;
+  const auto reference = hn::BitCast(di, q[0][2]);
+  const auto from = [&](I px, I ref) HWY_ATTR { return hn::ConvertTo(f, hn::Sub(px, ref)); };
+  const auto dx = from(hn::Add(hn::Set(di, x_px), hn::Load(di, kLaneX + lane)), hn::And(reference, hn::Set(di, 255)));
+  const auto dy = from(hn::Add(hn::Set(di, y_px), hn::Load(di, kLaneY + lane)), hn::ShiftRight<8>(reference));
+  const auto one = hn::Set(f, 1.0f), half = hn::Set(f, 0.5f);
+  const auto divisor = hn::Add(hn::Add(one, hn::Mul(q[0][0], dx)), hn::Mul(q[0][1], dy));
+  const auto inverse = hn::Div(one, divisor);
+  const auto margin = hn::Mul(q[0][3], inverse);
+  const auto below_one = hn::Sub(one, margin);
+  auto sure = hn::Gt(divisor, hn::Zero(f));
+  auto packed = hn::Zero(di);
+  for (std::size_t c = 4; c-- > 0;) {
+    const auto value = hn::Mul(hn::Add(hn::Add(q[1][c], hn::Mul(q[2][c], dx)), hn::Mul(q[3][c], dy)), inverse);
+    const auto shifted = hn::Add(hn::Min(hn::Max(value, hn::Set(f, -1.0f)), hn::Set(f, 256.0f)), half);
+    const auto whole = hn::Floor(shifted);
+    const auto fraction = hn::Sub(shifted, whole);
+    sure = hn::And(sure, hn::And(hn::Gt(fraction, margin), hn::Lt(fraction, below_one)));
+    const auto byte = hn::ConvertTo(di, hn::Min(hn::Max(whole, hn::Zero(f)), hn::Set(f, 255.0f)));
+    packed = hn::Or(hn::ShiftLeft<8>(packed), byte);
+  }
+  hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(bytes) + lane);
+  if (HWY_LIKELY(hn::AllTrue(f, sure))) return 0;
+  alignas(64) std::int32_t flags[16];
+  hn::Store(hn::VecFromMask(di, hn::RebindMask(di, sure)), di, flags);
+  std::uint32_t doubtful = 0;
+  for (std::size_t i = 0; i < hn::Lanes(f); ++i) doubtful |= flags[i] == 0 ? 1u << (lane + i) : 0u;
+  return doubtful;
+}
+
+std::uint32_t ShadeRecords(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,
+                           std::uint32_t* bytes) {
+  const Floats f;
+  std::uint32_t differ = 0;
+  for (int i = 1; i < 16; ++i) differ |= index[i] ^ index[0];
+  std::uint32_t doubtful = 0;
+  F q[4][4];
+  if (differ == 0) {
+    const ColorRecord& r = records[index[0]];
+    for (int i = 0; i < 4; ++i) {
+      for (int k = 0; k < 4; ++k) q[i][k] = hn::Set(f, r.quads[i][k]);
+    }
+    for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
+    return doubtful;
+  }
+  alignas(64) float side_by_side[4][64];
+  for (std::size_t i = 0; i < 16; ++i) {
+    const ColorRecord& r = records[index[i]];
+    for (int k = 0; k < 4; ++k) std::memcpy(&side_by_side[k][4 * i], r.quads[k], 16);
+  }
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) {
+    for (int k = 0; k < 4; ++k) hn::LoadInterleaved4(f, side_by_side[k] + 4 * l, q[k][0], q[k][1], q[k][2], q[k][3]);
+    doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
+  }
+  return doubtful;
+}
+
+/// Bits of a 4×4's owners: nothing's, and those that are pieces or nothing's.
+struct OwnerBits {
+  std::uint32_t none = 0, pieces = 0;
+};
+HWY_INLINE OwnerBits LookAtOwners(const std::uint32_t* owners) {
+  const Ints di;
+  OwnerBits bits;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+    const auto v = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(owners) + l);
+    std::uint8_t none[8] = {}, pieces[8] = {};
+    hn::StoreMaskBits(di, hn::Eq(v, hn::Set(di, -1)), none);
+    hn::StoreMaskBits(di, hn::Lt(v, hn::Zero(di)), pieces);
+    bits.none |= std::uint32_t(none[0] | none[1] << 8) << l;
+    bits.pieces |= std::uint32_t(pieces[0] | pieces[1] << 8) << l;
+  }
+  return bits;
+}
+
+/// One 4×4, of which `inside` are samples of the picture.
+HWY_INLINE void ResolveBlock(const ResolveJob& job, int x, int y, std::uint32_t inside) {
+  const auto base = std::size_t(place_in_tile(x, y));
+  const std::uint32_t* owners = job.tile->owner + base;
+  std::uint32_t* out = job.rgba8 + base;
+  const OwnerBits bits = LookAtOwners(owners);
+  if (bits.none != 0) {
+    for (int k = 0; k < 16; ++k) out[k] = job.clear;
+    inside &= ~bits.none;
+    if (inside == 0) return;
+  }
+  *job.n_shaded += std::uint64_t(hwy::PopCount(inside));
+  std::uint32_t lanes = inside & ~bits.pieces;
+  if (lanes == 0) return job.shade_others(job.context, x, y, inside);
+  const std::uint32_t some = owners[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
+  alignas(64) std::uint32_t index[16], bytes[16];
+  std::uint32_t others = 0;
+  const std::uint32_t some_record = job.record_of[some];
+  for (std::uint32_t k = 0; k < 16; ++k) {
+    const std::uint32_t record = lanes >> k & 1 ? job.record_of[owners[k]] : some_record;
+    others |= record == kNoRecord ? 1u << k : 0u;
+    index[k] = record == kNoRecord ? 0 : record;
+  }
+  lanes &= ~others;
+  if (lanes != 0) {
+    std::uint32_t doubtful = ShadeRecords(job.records, index, x, y, bytes) & lanes;
+    if (lanes == 0xFFFF) {
+      std::memcpy(out, bytes, 64);
+    } else {
+      for (std::uint32_t k = 0; k < 16; ++k) out[k] = lanes >> k & 1 ? bytes[k] : out[k];
+    }
+    for (; doubtful != 0; doubtful &= doubtful - 1) {
+      const auto k = std::uint32_t(hwy::Num0BitsBelowLS1Bit_Nonzero32(doubtful));
+      job.doubtful[(*job.n_doubtful)++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)),
+                                           std::uint16_t(y + int(k >> 2))};
+    }
+  }
+  if ((inside & ~lanes) != 0) job.shade_others(job.context, x, y, inside & ~lanes);
+}
+
+void ResolveRecords(const ResolveJob& job) {
+  for (int y = 0; y < job.height_px; y += 4) {
+    for (int x = 0; x < job.width_px; x += 4) {
+      std::uint32_t inside = 0xFFFF;
+      if (job.width_px - x < 4 || job.height_px - y < 4) {
+        inside = 0;
+        for (int k = 0; k < 16; ++k) inside |= x + (k & 3) < job.width_px && y + (k >> 2) < job.height_px ? 1u << k : 0u;
+      }
+      ResolveBlock(job, x, y, inside);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace lode::raster::fast
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

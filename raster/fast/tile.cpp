@@ -1,0 +1,381 @@
+#include "raster/fast/tile.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "raster/blend.h"
+#include "raster/reference/shade.h"
+
+namespace lode::raster::fast {
+namespace {
+
+class TileDrawer {
+ public:
+  TileDrawer(const Scene& scene, Worker& worker, Image& image, const PixelBox& box, std::size_t row)
+      : scene_(scene), w_(worker), owners_(scene, worker, box), image_(image), box_(box), row_(row), format_(image.format) {
+    size_ = box.end_px - box.begin_px;
+    has_color_ = !image.rgba8.empty() || !image.rgba32f.empty();
+  }
+
+  void draw() {
+    if (nothing_here()) return clear_image();
+    ++w_.stats.tiles;
+    const std::size_t n_samples = scene_.frame->samples_fx8.size();
+    for (std::size_t k = 0; k < n_samples; ++k) {
+      sample_fx8_ = scene_.frame->samples_fx8[k];
+      clear();
+      draw_pieces();
+      draw_clusters();
+      resolve(scene_, w_, image_, box_, sample_fx8_);
+      for (const std::uint32_t i : scene_.row(row_)) {
+        if (touches(i) && !draw_of(i).order_free()) draw_ordered(i);
+      }
+      if (n_samples > 1) accumulate(k == 0);
+    }
+    if (n_samples > 1) average(n_samples);
+    write();
+  }
+
+ private:
+  [[nodiscard]] const Draw& draw_of(std::uint32_t piece) const { return scene_.frame->draws[owners_.piece(piece).draw]; }
+  [[nodiscard]] bool touches(std::uint32_t piece) const { return !intersect(owners_.piece(piece).bounds_px, box_).empty(); }
+  [[nodiscard]] std::size_t place_of(glm::ivec2 px) const {
+    return std::size_t(place_in_tile(px.x - box_.begin_px.x, px.y - box_.begin_px.y));
+  }
+
+  [[nodiscard]] bool nothing_here() const {
+    const auto row = scene_.row(row_);
+    if (std::any_of(row.begin(), row.end(), [&](std::uint32_t i) { return touches(i); })) return false;
+    return std::none_of(scene_.fast.begin(), scene_.fast.begin() + std::ptrdiff_t(scene_.n_fast),
+                        [&](const FastDraw& f) { return !intersect(f.pixels, box_).empty(); });
+  }
+
+  void clear_image() {
+    const glm::u8vec4 clear8 = store_rgba8(scene_.frame->clear);
+    const glm::vec4 clear32 = store_rgba32f(scene_.frame->clear);
+    for (int y = box_.begin_px.y; y < box_.end_px.y; ++y) {
+      const std::size_t to = std::size_t(y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+      const auto fill = [&](auto& plane, const auto& value) {
+        if (!plane.empty()) std::fill_n(plane.begin() + std::ptrdiff_t(to), size_.x, value);
+      };
+      fill(image_.rgba8, clear8), fill(image_.rgba32f, clear32), fill(image_.depth, 0.0f);
+      fill(image_.ids, Ids{kNoId, kNoId});
+    }
+  }
+
+  void clear() {
+    TileBuffers& tile = *w_.tile;
+    std::fill_n(tile.depth, kTilePixels, -1.0f);
+    std::fill_n(tile.owner, kTilePixels, kNoOwner);
+    std::fill_n(tile.block_min, kBlocksPerRow * kBlocksPerRow, -1.0f);
+    std::fill_n(tile.stale, kBlocksPerRow * kBlocksPerRow, std::uint8_t(0));
+    // Places outside the picture must not keep a block from being covered.
+    if (size_.x < kTile_px || size_.y < kTile_px) {
+      for (int y = 0; y < kTile_px; ++y) {
+        for (int x = y < size_.y ? size_.x : 0; x < kTile_px; ++x) tile.depth[place_in_tile(x, y)] = 2.0f;
+      }
+    }
+    w_.residents.clear();
+    w_.free_slots.clear();
+  }
+
+  // ---- Clusters, front to back ----
+
+  void draw_clusters() {
+    w_.heap.clear();
+    for (std::uint32_t f = 0; f < scene_.n_fast; ++f) {
+      const FastDraw& fast = scene_.fast[f];
+      add(f, 0, fast.nearest, fast.pixels);
+      for (std::size_t u = 0; u < fast.unclean.size(); ++u) {
+        const UncleanCluster& unclean = fast.unclean[u];
+        add(f, ClusterGroup::kIsCluster | unclean.cluster, unclean.nearest, unclean.pixels, std::int32_t(u));
+      }
+    }
+    while (!w_.heap.empty()) {
+      std::pop_heap(w_.heap.begin(), w_.heap.end());
+      const Waiting next = w_.heap.back();
+      w_.heap.pop_back();
+      const PixelBox pixels = {{next.begin_x, next.begin_y}, {next.end_x, next.end_y}};
+      if (scene_.options->skips.occlusion && scene_.kernels->hidden(*w_.tile, pixels, next.nearest)) {
+        ++w_.stats.boxes_hidden;
+      } else if (next.child & ClusterGroup::kIsCluster) {
+        draw_cluster(next);
+      } else {
+        open(next);
+      }
+    }
+  }
+
+  /// Puts a part of a tree where it waits for its turn, unless the tile has nothing of it. pixels: of the picture
+  void add(std::uint32_t f, std::uint32_t child, float nearest, const PixelBox& pixels, std::int32_t unclean = -1) {
+    const PixelBox here = intersect(pixels, box_);
+    if (here.empty()) return;
+    const glm::ivec2 begin = here.begin_px - box_.begin_px, end = here.end_px - box_.begin_px;
+    w_.heap.push_back({nearest, f, child, unclean, std::uint16_t(begin.x), std::uint16_t(begin.y), std::uint16_t(end.x),
+                       std::uint16_t(end.y)});
+    std::push_heap(w_.heap.begin(), w_.heap.end());
+  }
+
+  void open(const Waiting& next) {
+    const FastDraw& fast = scene_.fast[next.fast_draw];
+    const ClusterGroup& group = fast.clusters->groups[next.child];
+    std::array<BoxSight, ClusterGroup::kMost> sights;
+    const PixelBox window = intersect(fast.limits, box_);
+    scene_.kernels->look(fast.view, group, window, scene_.options->skips, sights.data());
+    w_.stats.boxes_tested += std::uint64_t(group.n);
+    for (std::size_t i = 0; i < std::size_t(group.n); ++i) {
+      const BoxSight& s = sights[i];
+      if (s.sight == Sight::outside) {
+        ++w_.stats.boxes_outside;
+      } else if (s.sight == Sight::facing) {
+        ++w_.stats.boxes_facing;
+      } else if (s.sight == Sight::clean) {
+        add(next.fast_draw, group.child[i], s.nearest, s.pixels);
+      } else if (!(group.child[i] & ClusterGroup::kIsCluster)) {
+        add(next.fast_draw, group.child[i], 2.0f, window);
+      }
+    }
+  }
+
+  RasterJob job_of(const PixelBox& limits, Cull cull) {
+    const PixelBox window = intersect(limits, box_);
+    RasterJob job;
+    job.cull = cull;
+    job.skips = scene_.options->skips;
+    job.begin_x = window.begin_px.x - box_.begin_px.x, job.begin_y = window.begin_px.y - box_.begin_px.y;
+    job.end_x = window.end_px.x - box_.begin_px.x, job.end_y = window.end_px.y - box_.begin_px.y;
+    job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
+    job.context = this;
+    job.key_before = [](const void* self, std::uint32_t a, std::uint32_t b) {
+      return static_cast<const TileDrawer*>(self)->owners_.key_before(a, b);
+    };
+    job.facing_sign = [](const void* self, std::uint32_t triangle) {
+      const auto* drawer = static_cast<const TileDrawer*>(self);
+      return drawer->owners_.facing_sign(drawer->slot_, triangle);
+    };
+    return job;
+  }
+
+  void draw_cluster(const Waiting& next) {
+    const FastDraw& fast = scene_.fast[next.fast_draw];
+    const Clusters& all = *fast.clusters;
+    const std::uint32_t c = next.child & ~ClusterGroup::kIsCluster;
+    const Cluster& cluster = all.clusters[c];
+    ++w_.stats.clusters_drawn;
+    slot_ = take_slot();
+    w_.residents[slot_] = {cluster.first_vertex, cluster.first_triangle, next.fast_draw, c};
+    WindowVertices128& vertices = w_.vertices[slot_];
+    scene_.kernels->transform(fast.view, all.x.data() + cluster.first_vertex, all.y.data() + cluster.first_vertex,
+                              all.z.data() + cluster.first_vertex, cluster.n_vertices, box_.begin_px.x * 256,
+                              box_.begin_px.y * 256, &vertices);
+    RasterJob job = job_of(fast.limits, fast.view.cull);
+    job.corners = all.corners.data() + 3 * std::size_t(cluster.first_triangle);
+    job.n_triangles = cluster.n_triangles;
+    job.wanted = next.unclean >= 0 ? fast.unclean[std::size_t(next.unclean)].wanted.data() : nullptr;
+    job.vertices = &vertices;
+    job.first_owner = slot_ * kSlotTriangles;
+    if (!scene_.kernels->rasterize(job, *w_.tile, w_.counts)) w_.free_slots.push_back(slot_);
+  }
+
+  /// A slot for a cluster. When all are taken, those that own no sample any more are taken back.
+  std::uint32_t take_slot() {
+    if (w_.free_slots.empty() && w_.residents.size() == kSlots) {
+      std::vector<std::uint32_t>& in_use = w_.free_slots;  // [kSlots] for the moment: who owns something
+      in_use.assign(kSlots, 0);
+      for (const std::uint32_t owner : w_.tile->owner) {
+        if (!(owner & kPieceBit)) in_use[owner / kSlotTriangles] = 1;
+      }
+      std::size_t n = 0;
+      for (std::uint32_t s = 0; s < kSlots; ++s) {
+        if (in_use[s] == 0) in_use[n++] = s;
+      }
+      in_use.resize(n);
+    }
+    if (!w_.free_slots.empty()) {
+      const std::uint32_t slot = w_.free_slots.back();
+      w_.free_slots.pop_back();
+      return slot;
+    }
+    w_.residents.emplace_back();
+    return std::uint32_t(w_.residents.size() - 1);
+  }
+
+  // ---- Pieces ----
+
+  void draw_pieces() {
+    for (const std::uint32_t i : scene_.row(row_)) {
+      if (!touches(i) || !draw_of(i).order_free()) continue;
+      const auto* triangle = std::get_if<reference::Triangle>(&owners_.piece(i).shape);
+      if (triangle && !draw_of(i).alpha_test && !(triangle->polygon && triangle->polygon->has_turned_piece)) {
+        draw_triangle(i, *triangle);
+      } else {
+        draw_order_free(i);
+      }
+    }
+  }
+
+  void draw_triangle(std::uint32_t index, const reference::Triangle& t) {
+    LoneTriangle lone;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lone.x_fx8[k] = t.v[k].p_fx8.x - box_.begin_px.x * 256, lone.y_fx8[k] = t.v[k].p_fx8.y - box_.begin_px.y * 256;
+      lone.z[k] = t.v[k].z;
+    }
+    lone.owner = index | kPieceBit;
+    scene_.kernels->rasterize_lone(job_of(owners_.piece(index).bounds_px, Cull::none), lone, *w_.tile, w_.counts);
+  }
+
+  /// visit(place, px, depth, rgba) for each sample that the piece covers and that passes the draw's alpha test; rgba is
+  /// the shaded colour where there is such a test.
+  template <class Visit>
+  void for_each_fragment(const Piece& p, const Draw& draw, Visit visit) {
+    const PixelBox window = intersect(p.bounds_px, box_);
+    const auto fragment = [&](glm::ivec2 px) {
+      ++w_.stats.fragments_covered;
+      const float depth = reference::depth_of(p, reference::sample_position_fx8(px, sample_fx8_));
+      glm::vec4 rgba;
+      if (draw.alpha_test) {
+        reference::shade(draw, p, format_, {{&px, 1}, {&depth, 1}, sample_fx8_}, &rgba, w_.stats);
+        const double full = format_ == ColorFormat::rgba8 ? 255.0 : 1.0;
+        if (!(double(rgba.a) / full >= *draw.alpha_test)) {
+          ++w_.stats.fragments_alpha_failed;
+          return;
+        }
+      }
+      visit(place_of(px), px, depth, rgba);
+    };
+    reference::visit_shape(p.shape, [&](const auto& shape) { for_each_covered(shape, window, sample_fx8_, fragment); });
+  }
+
+  void draw_order_free(std::uint32_t index) {
+    const std::uint32_t owner = index | kPieceBit;
+    TileBuffers& tile = *w_.tile;
+    for_each_fragment(owners_.piece(index), draw_of(index), [&](std::size_t i, glm::ivec2, float depth, const glm::vec4&) {
+      const bool wins = depth > tile.depth[i] || (depth == tile.depth[i] && owners_.key_before(owner, tile.owner[i]));
+      if (!wins) {
+        ++w_.stats.fragments_depth_failed;
+        return;
+      }
+      tile.depth[i] = depth;
+      tile.owner[i] = owner;
+      tile.stale[i / 64] = 1;
+    });
+  }
+
+  /// Ordered draws test against depth as it then stands: strictly nearer passes; the clear always loses.
+  void draw_ordered(std::uint32_t index) {
+    const Piece& p = owners_.piece(index);
+    const Draw& draw = draw_of(index);
+    TileBuffers& tile = *w_.tile;
+    for_each_fragment(p, draw, [&](std::size_t i, glm::ivec2 px, float depth, glm::vec4& rgba) {
+      if (draw.depth_test && tile.owner[i] != kNoOwner && !(depth > tile.depth[i])) {
+        ++w_.stats.fragments_depth_failed;
+        return;
+      }
+      if (has_color_) {
+        if (!draw.alpha_test) reference::shade(draw, p, format_, {{&px, 1}, {&depth, 1}, sample_fx8_}, &rgba, w_.stats);
+        store(i, rgba, draw.blend);
+        if (draw.blend != Blend::none) ++w_.stats.fragments_blended;
+      }
+      if (draw.writes_depth()) {
+        tile.depth[i] = depth;
+        tile.owner[i] = index | kPieceBit;
+      }
+      if (!image_.ids.empty() && (draw.writes_depth() || scene_.options->ids_from_ordered_draws)) w_.ids[i] = p.ids;
+    });
+  }
+
+  void store(std::size_t i, const glm::vec4& rgba, Blend blend) {
+    if (format_ == ColorFormat::rgba8) {
+      w_.rgba8[i] = blend_rgba8(blend, store_rgba8(rgba), w_.rgba8[i]);
+    } else {
+      w_.rgba32f[i] = blend_rgba32f(blend, rgba, w_.rgba32f[i]);
+    }
+  }
+
+  // ---- The picture ----
+
+  void accumulate(bool first) {
+    for (std::size_t i = 0; i < w_.sum_rgba8.size(); ++i) {
+      w_.sum_rgba8[i] = (first ? glm::uvec4(0u) : w_.sum_rgba8[i]) + glm::uvec4(w_.rgba8[i]);
+    }
+    for (std::size_t i = 0; i < w_.sum_rgba32f.size(); ++i) {
+      w_.sum_rgba32f[i] = (first ? glm::dvec4(0.0) : w_.sum_rgba32f[i]) + glm::dvec4(w_.rgba32f[i]);
+    }
+  }
+
+  void average(std::size_t n_samples) {
+    const auto n = static_cast<unsigned>(n_samples);
+    for (std::size_t i = 0; i < w_.sum_rgba8.size(); ++i) {
+      w_.rgba8[i] = glm::u8vec4((2u * w_.sum_rgba8[i] + glm::uvec4(n)) / (2u * n));  // rounded half up
+    }
+    for (std::size_t i = 0; i < w_.sum_rgba32f.size(); ++i) {
+      w_.rgba32f[i] = store_rgba32f(glm::vec4(w_.sum_rgba32f[i] / double(n)));
+    }
+  }
+
+  void write() {
+    const std::size_t first = std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+    WriteJob job{.pitch_px = std::size_t(image_.size_px.x), .width_px = size_.x, .height_px = size_.y};
+    if (!image_.rgba8.empty()) {
+      job.from = w_.rgba8.data(), job.to = &image_.rgba8[first];
+      scene_.kernels->write_tile(job);
+    }
+    if (!image_.depth.empty()) {
+      job.from = w_.tile->depth, job.to = &image_.depth[first], job.depths = true;
+      scene_.kernels->write_tile(job);
+    }
+    for (int y = 0; y < size_.y; ++y) {
+      for (int x = 0; x < size_.x; ++x) {
+        const auto from = std::size_t(place_in_tile(x, y)), to = first + std::size_t(y) * job.pitch_px + std::size_t(x);
+        if (!image_.rgba32f.empty()) image_.rgba32f[to] = w_.rgba32f[from];
+        if (!image_.ids.empty()) image_.ids[to] = w_.ids[from];
+      }
+      if (image_.rgba32f.empty() && image_.ids.empty()) break;
+    }
+  }
+
+  const Scene& scene_;
+  Worker& w_;
+  Owners owners_;
+  Image& image_;
+  PixelBox box_;
+  std::size_t row_;
+  ColorFormat format_;
+  glm::ivec2 size_{0, 0};
+  glm::ivec2 sample_fx8_{128, 128};
+  bool has_color_ = false;
+  std::uint32_t slot_ = 0;
+};
+
+}  // namespace
+
+void Worker::prepare(const Scene& scene, const Image& image) {
+  if (!tile) {
+    tile = std::make_unique_for_overwrite<TileBuffers>();
+    vertices = std::make_unique_for_overwrite<WindowVertices128[]>(kSlots);
+    visible = std::make_unique_for_overwrite<std::uint8_t[]>(kSlots * kSlotTriangles);
+    record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
+    corners = std::make_unique_for_overwrite<CornerRecord[]>(std::size_t(kMaxClusterVertices) + 8);
+    records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);
+    residents.reserve(kSlots);
+    free_slots.reserve(kSlots);
+    doubtful = std::make_unique_for_overwrite<Doubtful[]>(kTilePixels);
+  }
+  heap.reserve(scene.n_boxes);
+  const std::size_t n = kTilePixels;
+  const bool several = scene.frame->samples_fx8.size() > 1;
+  ids.resize(image.ids.empty() ? 0 : n);
+  rgba8.resize(image.rgba8.empty() ? 0 : n);
+  rgba32f.resize(image.rgba32f.empty() ? 0 : n);
+  sum_rgba8.resize(several ? rgba8.size() : 0);
+  sum_rgba32f.resize(several ? rgba32f.size() : 0);
+  stats = {};
+  counts = {};
+}
+
+void draw_tile(const Scene& scene, Worker& worker, Image& image, const PixelBox& box, std::size_t row) {
+  TileDrawer(scene, worker, image, box, row).draw();
+}
+
+}  // namespace lode::raster::fast
