@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(public_headers error.h explain.h frame.h golden.h image.h render.h shader.h srgb.h stats.h texture.h)
+set(public_headers clusters.h error.h explain.h frame.h golden.h image.h render.h shader.h srgb.h stats.h texture.h)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lodestone)
 install(TARGETS lodestone_raster EXPORT lodestone-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodestone)
 install(EXPORT lodestone-targets NAMESPACE lodestone:: DESTINATION ${package_dir})

@@ -11,6 +11,7 @@
 
 #include "experiments/command.h"
 #include "experiments/error.h"
+#include "experiments/renderer_choice.h"
 #include "geometry/error.h"
 #include "raster/error.h"
 #include "raster/render.h"
@@ -36,8 +37,10 @@ void add_common_options(CLI::App& app, CommandLine& line) {
   app.add_option("--target", line.target, "best, scalar, sse4, avx2, avx512, neon or wasm (default best)")
       ->option_text("NAME");
   app.add_option("--pipeline", line.pipeline, "fast or reference (default fast)")->option_text("NAME");
-  app.add_option("--skip", line.skip,
-                 "all or none: the renderer's skips that are on (default all; today it has none to switch)")
+  app.add_option(
+         "--skip", line.skip,
+         "Work that is left out where the picture needs none: all (default), none, or some of frustum, facing,\n"
+         "occlusion, samples, blocks")
       ->option_text("LIST");
 }
 
@@ -56,8 +59,9 @@ constexpr const char* kCommonOptionsText =
 std::string program_footer(std::span<const Command> commands) {
   std::vector<std::string> examples;
   for (const Command& command : commands) examples.push_back(command.examples.front());
-  return "--threads, --target, --pipeline and --skip move no pixel. Today there is one pipeline, the reference;\n"
-         "--stats says what ran. `lodestone COMMAND --help` tells more about each command.\n\n" +
+  return "--threads, --target, --pipeline and --skip move no pixel; --stats says what ran. The last three are of the\n"
+         "rasterizer: fast is made for the instruction set, reference is the plain one that it is held against.\n"
+         "`lodestone COMMAND --help` tells more about each command.\n\n" +
          examples_text(examples) +
          "\nExit status: 0 done, 1 a check or comparison failed, 2 wrong usage, 3 bad input, 4 the machine failed.\n";
 }
@@ -75,13 +79,8 @@ CLI::App* add_command(CLI::App& app, const Command& command) {
 /// Sets the common options that are words.
 void read_common_options(CommandLine& line) {
   line.common.target = read_target(line.target);
-  if (line.pipeline != "fast" && line.pipeline != "reference") {
-    throw Error(Status::wrong_usage, "--pipeline: expected fast or reference, found \"" + line.pipeline + "\"");
-  }
-  line.common.pipeline = line.pipeline == "fast" ? Pipeline::fast : Pipeline::reference;
-  if (line.skip != "all" && line.skip != "none") {
-    throw Error(Status::wrong_usage, "--skip " + line.skip + ": the renderer has no such skip: expected all or none");
-  }
+  line.common.pipeline = read_pipeline(line.pipeline);
+  line.common.skips = read_skips(line.skip);
 }
 
 int fail(std::ostream& err, Status status, std::string_view message) {

@@ -73,6 +73,21 @@ SceneDraws::SceneDraws(const geometry::Scene& scene, const Params& params) : sce
   }
 }
 
+void SceneDraws::cut_clusters(int threads) {
+  clusters_.clear();
+  clusters_.resize(surfaces_.size());
+  for (std::size_t i = 0; i < draws_.size(); ++i) {
+    raster::Draw& draw = draws_[i];
+    if (draw.topology != raster::Topology::triangles) continue;
+    std::unique_ptr<const raster::Clusters>& clusters = clusters_[scene_.instances[i].mesh];
+    if (!clusters) {
+      const auto& positions = std::get<raster::ObjectVertices>(draw.vertices).positions;
+      clusters = std::make_unique<const raster::Clusters>(raster::make_clusters(positions, draw.indices, threads));
+    }
+    draw.clusters = clusters.get();
+  }
+}
+
 std::vector<raster::Draw> SceneDraws::draws(const geometry::Camera& camera, glm::ivec2 size_px) const {
   const glm::dmat4 clip_from_world = geometry::clip_from_world(camera, size_px);
   std::vector<raster::Draw> draws = draws_;

@@ -43,6 +43,10 @@ class SceneDraws {
   /// borrowed. Throws raster::Error (out_of_memory; bad_input, naming a picture that is too large).
   SceneDraws(const geometry::Scene& scene, const Params& params);
 
+  /// Cuts every mesh of triangles into clusters, once per scene, for the fast pipeline: draws made from here on have
+  /// them, and those of one mesh share them. Not while draws that were made before are in use.
+  void cut_clusters(int threads = 0);
+
   /// One draw an instance, as the camera sees it. They borrow from this and from the scene. O(instances).
   [[nodiscard]] std::vector<raster::Draw> draws(const geometry::Camera& camera, glm::ivec2 size_px) const;
 
@@ -69,8 +73,9 @@ class SceneDraws {
   const geometry::Scene& scene_;
   Params params_;
   std::map<TextureKey, std::unique_ptr<const raster::Texture>> textures_;
-  std::vector<std::unique_ptr<const Surface>> surfaces_;  ///< [meshes]; null where no instance has the mesh
-  std::vector<raster::Draw> draws_;                       ///< [instances], all but the matrix
+  std::vector<std::unique_ptr<const Surface>> surfaces_;           ///< [meshes]; null where no instance has the mesh
+  std::vector<std::unique_ptr<const raster::Clusters>> clusters_;  ///< [meshes]; null where there are none
+  std::vector<raster::Draw> draws_;                                ///< [instances], all but the matrix
 };
 
 }  // namespace lode::techniques

@@ -49,15 +49,18 @@ struct Rendering {
   const Picture& picture;
   std::string name;
   std::vector<raster::Draw> draws;
-  int threads;
+  const CommonOptions& common;
 
-  raster::Image render(raster::Planes planes, raster::RenderOptions options, raster::FrameStats* stats) const {
+  /// `more` has what concerns this render alone.
+  raster::Image render(raster::Planes planes, const raster::RenderOptions& more, raster::FrameStats* stats) const {
     const raster::Frame frame{.draws = draws,
                               .clear = picture.clear,
                               .viewport = {},
                               .scissor = picture.scissor,
                               .samples_fx8 = picture.samples_fx8};
-    options.threads = threads;
+    raster::RenderOptions options = common.render_options();
+    options.per_draw = more.per_draw;
+    options.ids_from_ordered_draws = more.ids_from_ordered_draws;
     try {
       raster::Image image = make_target(picture.size_px, raster::ColorFormat::rgba8, planes);
       const raster::FrameStats counted = raster::render(frame, image, options);
@@ -78,7 +81,7 @@ void draw(const DrawOptions& options, const CommonOptions& common, std::istream&
   OutputFiles files(options.outputs);
   const Picture picture = read_picture(read_text(options.picture, in), shown_name(options));
   check_picture(options, picture);
-  const Rendering rendering{picture, shown_name(options), bound_draws(picture), common.threads};
+  const Rendering rendering{picture, shown_name(options), bound_draws(picture), common};
 
   // Text shows draws that write no ids, too: a render of its own, of ids alone.
   std::string text;
@@ -94,8 +97,12 @@ void draw(const DrawOptions& options, const CommonOptions& common, std::istream&
     // Statistics have hashes of all planes, so far as they exist.
     const bool single = picture.samples_fx8.size() == 1;
     if (options.outputs.stats) planes = {.color = true, .depth = single, .ids = single};
-    DrawReport report{
-        .picture = options.picture, .threads = raster::worker_count(common.threads), .counters = {}, .per_draw = {}};
+    DrawReport report{.picture = options.picture,
+                      .threads = raster::worker_count(common.threads),
+                      .pipeline = common.pipeline,
+                      .target = common.target,
+                      .counters = {},
+                      .per_draw = {}};
     std::vector<raster::DrawStats> per_draw(picture.draws.size());
     report.per_draw = per_draw;
     const raster::Image image = rendering.render(planes, {.per_draw = per_draw}, &report.counters);

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "experiments/renderer_choice.h"
 #include "experiments/sha256.h"
-#include "raster/render.h"
 
 namespace lode::experiments {
 
@@ -25,8 +25,8 @@ std::string draw_stats_json(const DrawReport& report, const raster::Image& image
   const ordered_json json = {{"picture", report.picture},
                              {"size", {image.size_px.x, image.size_px.y}},
                              {"threads", report.threads},
-                             {"target", "scalar"},
-                             {"pipeline", "reference"},
+                             {"target", target_name(report.pipeline, report.target)},
+                             {"pipeline", pipeline_name(report.pipeline)},
                              {"pixel_contract", raster::kPixelContract},
                              {"draws", draws},
                              {"counters", counters},

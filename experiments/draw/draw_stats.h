@@ -5,6 +5,7 @@
 #include <string>
 
 #include "raster/image.h"
+#include "raster/render.h"
 #include "raster/stats.h"
 
 namespace lode::experiments {
@@ -12,6 +13,8 @@ namespace lode::experiments {
 struct DrawReport {
   std::string picture;  ///< as named on the command line
   int threads = 1;      ///< used, not asked for
+  raster::Pipeline pipeline = raster::Pipeline::fast;
+  raster::Target target = raster::Target::scalar;
   raster::FrameStats counters;
   std::span<const raster::DrawStats> per_draw;
 };

@@ -53,15 +53,15 @@ Request read_options(const RenderOptions& options) {
 /// Everything that one frame after the other is drawn from.
 class FrameRenderer {
  public:
-  FrameRenderer(const Request& request, const SceneView& view, const techniques::SceneDraws& draws, int threads,
-                Progress& progress)
-      : request_(request), view_(view), draws_(draws) {
-    options_.threads = threads;
+  FrameRenderer(const Request& request, const SceneView& view, const techniques::SceneDraws& draws,
+                const raster::RenderOptions& options, Progress& progress)
+      : request_(request), view_(view), draws_(draws), options_(options) {
+    options_.memory = &memory_;
     options_.on_tile = [&progress] { progress.add(1); };
   }
 
   /// Frame k of an orbit; all frames are the same without one.
-  raster::FrameStats render(int k, raster::Image& image) const {
+  raster::FrameStats render(int k, raster::Image& image) {
     const bool turned = k > 0 && request_.orbit_rad != 0.0;
     const geometry::Camera camera =
         turned ? geometry::orbited(view_.camera, view_.bounds.centre(), k * request_.orbit_rad) : view_.camera;
@@ -75,6 +75,7 @@ class FrameRenderer {
   const Request& request_;
   const SceneView& view_;
   const techniques::SceneDraws& draws_;
+  raster::FrameMemory memory_;
   raster::RenderOptions options_;
 };
 
@@ -82,12 +83,15 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
                  const CommonOptions& common, const Streams& streams, OutputFiles& files) {
   RenderReport report{.scene = options.scene.scene,
                       .threads = raster::worker_count(common.threads),
+                      .pipeline = common.pipeline,
+                      .target = common.target,
                       .samples = request.view.n_samples,
                       .color_space = request.look.draws.color_space,
                       .frames_ms = {},
                       .counters = {}};
   const double prepare_begin_ms = now_ms();
-  const techniques::SceneDraws draws(view.scene, request.look.draws);
+  techniques::SceneDraws draws(view.scene, request.look.draws);
+  if (common.pipeline == raster::Pipeline::fast) draws.cut_clusters(common.threads);
   report.prepare_ms = now_ms() - prepare_begin_ms;
 
   // The first frame warms up, and is the one that is written and hashed, with all the planes that this takes. Frames
@@ -105,8 +109,8 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
   if (n_timed > 0) timed = make_target(view.size_px, format, timed_planes);
 
   Progress progress(streams, common, "rendering", "tiles",
-                    std::uint64_t(1 + n_timed) * raster::n_tiles(view.size_px, raster::RenderOptions{}));
-  const FrameRenderer renderer(request, view, draws, common.threads, progress);
+                    std::uint64_t(1 + n_timed) * raster::n_tiles(view.size_px, common.render_options()));
+  FrameRenderer renderer(request, view, draws, common.render_options(), progress);
   report.counters = renderer.render(0, first);
   for (int k = 0; k < n_timed; ++k) {
     const double begin_ms = now_ms();

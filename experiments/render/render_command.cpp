@@ -22,8 +22,9 @@ constexpr const char* kFooter =
     "ambient light. Masked materials are alpha-tested; blended ones are drawn over the rest in the file's order.\n"
     "\n"
     "--stats has, as JSON: frame_ms (median, min, max of the frames of --repeat, each from clear to finished image,\n"
-    "after one warm-up), prepare_ms (once per scene), the renderer's counters, and the SHA-256 of each plane. Timed\n"
-    "frames have colour and depth, and ids only with --ids. Every frame renders as if its camera were new.\n";
+    "after one warm-up), prepare_ms (once per scene: colours, textures with mips, clusters of triangles), the\n"
+    "renderer's counters, and the SHA-256 of each plane. Timed frames have colour and depth, and ids only with --ids.\n"
+    "Every frame renders as if its camera were new.\n";
 
 }  // namespace
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/render/look_options.h"
+#include "experiments/renderer_choice.h"
 #include "experiments/sha256.h"
-#include "raster/render.h"
 
 namespace lode::experiments {
 namespace {
@@ -41,8 +41,8 @@ std::string render_stats_json(const RenderReport& report, const raster::Image& i
                              {"samples", report.samples},
                              {"color_space", color_space_name(report.color_space)},
                              {"threads", report.threads},
-                             {"target", "scalar"},
-                             {"pipeline", "reference"},
+                             {"target", target_name(report.pipeline, report.target)},
+                             {"pipeline", pipeline_name(report.pipeline)},
                              {"pixel_contract", raster::kPixelContract},
                              {"prepare_ms", report.prepare_ms},
                              {"frame_ms", summary_of(report.frames_ms)},

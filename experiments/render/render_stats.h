@@ -5,6 +5,7 @@
 #include <string>
 
 #include "raster/image.h"
+#include "raster/render.h"
 #include "raster/stats.h"
 #include "techniques/scene_draws.h"
 
@@ -13,6 +14,8 @@ namespace lode::experiments {
 struct RenderReport {
   std::string scene;  ///< as named on the command line
   int threads = 1;    ///< used, not asked for
+  raster::Pipeline pipeline = raster::Pipeline::fast;
+  raster::Target target = raster::Target::scalar;
   int samples = 1;
   techniques::ColorSpace color_space = techniques::ColorSpace::srgb;
   double prepare_ms = 0.0;

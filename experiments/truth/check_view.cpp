@@ -37,11 +37,10 @@ class Share {
 
 std::uint64_t area(glm::ivec2 size_px) { return std::uint64_t(size_px.x) * std::uint64_t(size_px.y); }
 
-raster::Image rasterize(std::span<const raster::Draw> draws, glm::ivec2 size_px, int threads,
+raster::Image rasterize(std::span<const raster::Draw> draws, glm::ivec2 size_px, raster::RenderOptions options,
                         const std::function<void(std::uint64_t)>& on_pixels) {
   raster::Image image =
       raster::make_image(size_px, raster::ColorFormat::rgba8, {.color = false, .depth = true, .ids = true});
-  raster::RenderOptions options{.threads = threads};
   Share share(on_pixels, area(size_px) / 4, raster::n_tiles(size_px, options));
   options.on_tile = [&] { share.part_done(); };
   static_cast<void>(raster::render({.draws = draws, .viewport = {}, .scissor = {}}, image, options));
@@ -51,17 +50,17 @@ raster::Image rasterize(std::span<const raster::Draw> draws, glm::ivec2 size_px,
 }  // namespace
 
 ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::Camera& camera,
-                     const geometry::Bounds& bounds, glm::ivec2 size_px, int threads,
+                     const geometry::Bounds& bounds, glm::ivec2 size_px, const raster::RenderOptions& options,
                      const std::function<void(std::uint64_t)>& on_pixels) {
   const std::vector<raster::Draw> all = scene_draws.draws(camera, size_px);
   const SolidDraws solid = solid_draws(scene_draws.scene(), all);
-  const raster::Image image = rasterize(solid.draws, size_px, threads, on_pixels);
+  const raster::Image image = rasterize(solid.draws, size_px, options, on_pixels);
 
   const CameraRays rays(solid.traced(), camera, size_px, bounds);
   std::vector<raster::Ids> ray_ids;
   {
     Share share(on_pixels, area(size_px) / 4, std::size_t(size_px.y));
-    ray_ids = trace_ids(rays, size_px, threads, [&] { share.part_done(); });
+    ray_ids = trace_ids(rays, size_px, options.threads, [&] { share.part_done(); });
   }
 
   ViewCheck view;
@@ -69,7 +68,7 @@ ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::
   const PicturePair pair{solid.draws, size_px, image.ids, image.depth, ray_ids};
   {
     Share share(on_pixels, area(size_px) - 2 * (area(size_px) / 4), check_steps(pair));
-    view.picture = check_picture(pair, threads, [&] { share.part_done(); });
+    view.picture = check_picture(pair, options.threads, [&] { share.part_done(); });
   }
 
   std::vector<glm::ivec2> at_edges;
@@ -78,7 +77,7 @@ ViewCheck check_view(const techniques::SceneDraws& scene_draws, const geometry::
   }
   const double enough_px = double(at_edges.size()) / kEdgeBand_px;  // from there on the bound holds
   view.edges = visible_edges(
-      size_px, ray_ids, at_edges, enough_px, [&](glm::dvec2 p_px) { return rays.nearest(p_px); }, threads);
+      size_px, ray_ids, at_edges, enough_px, [&](glm::dvec2 p_px) { return rays.nearest(p_px); }, options.threads);
   return view;
 }
 

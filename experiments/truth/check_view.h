@@ -10,6 +10,7 @@
 #include "experiments/truth/visible_edges.h"
 #include "geometry/camera.h"
 #include "geometry/scene.h"
+#include "raster/render.h"
 #include "techniques/scene_draws.h"
 
 namespace lode::experiments::truth {
@@ -25,10 +26,12 @@ struct ViewCheck {
   [[nodiscard]] bool edge_bound_holds() const { return double(picture.of(Verdict::edge)) <= std::ceil(edge_bound()); }
 };
 
-/// Renders, traces and compares. `on_pixels`, if given, is called from any thread with numbers that sum up to w·h, as
-/// parts of the work are done. Throws raster::Error, geometry::Error (machine).
+/// Renders, as the options say, traces with as many threads, and compares. `on_pixels`, if given, is called from any
+/// thread with numbers that sum up to w·h, as parts of the work are done. Throws raster::Error, geometry::Error
+/// (machine).
 [[nodiscard]] ViewCheck check_view(const techniques::SceneDraws& draws, const geometry::Camera& camera,
-                                   const geometry::Bounds& bounds, glm::ivec2 size_px, int threads,
+                                   const geometry::Bounds& bounds, glm::ivec2 size_px,
+                                   const raster::RenderOptions& options,
                                    const std::function<void(std::uint64_t)>& on_pixels = {});
 
 }  // namespace lode::experiments::truth

@@ -20,6 +20,7 @@ SolidDraws solid_draws(const geometry::Scene& scene, std::span<const raster::Dra
       raster::Draw bare;
       bare.vertices = draw.vertices;
       bare.indices = draw.indices;
+      bare.clusters = draw.clusters;
       bare.cull = draw.cull;
       bare.draw_id = std::uint32_t(i);
       solid.draws.push_back(bare);

@@ -49,7 +49,7 @@ Request read_options(const TruthOptions& options) {
   return request;
 }
 
-CheckReport check_views(const TruthOptions& options, const SceneView& view, const techniques::SceneDraws& draws,
+CheckReport check_views(const TruthOptions& options, const SceneView& view, techniques::SceneDraws& draws,
                         const CommonOptions& common, const Streams& streams) {
   CheckReport report{options.scene.scene, view.size_px, {}};
   if (options.tour) {
@@ -60,13 +60,17 @@ CheckReport check_views(const TruthOptions& options, const SceneView& view, cons
   }
   const std::vector<TourStop> stops = options.tour ? tour(view.bounds, view.size_px) : std::vector<TourStop>{};
   const std::uint64_t n_pixels = std::uint64_t(view.size_px.x) * std::uint64_t(view.size_px.y);
+  raster::FrameMemory memory;
+  raster::RenderOptions raster_options = common.render_options();
+  raster_options.memory = &memory;
+  if (common.pipeline == raster::Pipeline::fast) draws.cut_clusters(common.threads);
   Progress progress(streams, common, "checking", "pixels", report.views.size() * n_pixels);
   for (std::size_t i = 0; i < report.views.size(); ++i) {
     const geometry::Camera camera =
         options.tour ? choose_camera(read_camera_options(stops[i].options), view.scene, view.bounds, view.size_px)
                      : view.camera;
     report.views[i].check =
-        check_view(draws, camera, view.bounds, view.size_px, common.threads, [&](std::uint64_t n) { progress.add(n); });
+        check_view(draws, camera, view.bounds, view.size_px, raster_options, [&](std::uint64_t n) { progress.add(n); });
   }
   progress.finish();
   return report;
@@ -144,7 +148,7 @@ std::string stats_json(const TruthOptions& options, const SceneView& view, const
 
 Status run(const TruthOptions& options, const Request& request, const SceneView& view, const CommonOptions& common,
            const Streams& streams, OutputFiles& files, std::optional<WholeFile>& map) {
-  const techniques::SceneDraws draws(view.scene, request.look.draws);
+  techniques::SceneDraws draws(view.scene, request.look.draws);
   Status status = Status::done;
   if (request.check) {
     const CheckReport report = check_views(options, view, draws, common, streams);

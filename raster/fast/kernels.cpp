@@ -1,5 +1,7 @@
 #include "raster/fast/kernels.h"
 
+#include "raster/fast/highway_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fast/kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -22,6 +24,10 @@ constexpr Target kTarget = Target::avx512;
 constexpr Target kTarget = Target::avx2;
 #elif HWY_TARGET == HWY_SSE4
 constexpr Target kTarget = Target::sse4;
+#elif HWY_TARGET == LODE_NEON
+constexpr Target kTarget = Target::neon;
+#elif defined(__wasm_simd128__)
+constexpr Target kTarget = Target::wasm;
 #else
 constexpr Target kTarget = Target::scalar;
 #endif
@@ -37,29 +43,47 @@ HWY_AFTER_NAMESPACE();
 namespace lode::raster::fast {
 namespace {
 
-struct Entry {
-  std::int64_t needs;
-  const Kernels* kernels;
-};
-
-const Entry kEntries[] = {  // the widest first
+const Kernels* const kBuilt[] = {
+    // the widest first
 #if HWY_TARGETS & HWY_AVX3
-    {HWY_AVX3, &N_AVX3::kKernels},
+    &N_AVX3::kKernels,
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {HWY_AVX2, &N_AVX2::kKernels},
+    &N_AVX2::kKernels,
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    {HWY_SSE4, &N_SSE4::kKernels},
+    &N_SSE4::kKernels,
 #endif
+#if HWY_TARGETS & LODE_NEON
+    &LODE_NEON_KERNELS,
+#endif
+    &N_EMU128::kKernels,
 };
+
+/// All that Highway lets the compiler use for a target.
+bool processor_has([[maybe_unused]] Target target) {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_cpu_init();
+  const bool sse4 =
+      __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
+  const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                    __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  if (target == Target::sse4) return sse4;
+  if (target == Target::avx2) return avx2;
+  if (target == Target::avx512) {  // what server processors have had since 2017
+    return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+  }
+#endif
+  return true;  // no machine runs a build for others
+}
 
 }  // namespace
 
 const Kernels* find_kernels(Target target) {
-  for (const Entry& entry : kEntries) {
-    const bool here = (hwy::SupportedTargets() & entry.needs) != 0;
-    if (here && (target == Target::best || target == entry.kernels->target)) return entry.kernels;
+  for (const Kernels* kernels : kBuilt) {
+    if ((target == Target::best || target == kernels->target) && processor_has(kernels->target)) return kernels;
   }
   return nullptr;
 }

@@ -1,107 +1,113 @@
 // Draws the set of pictures and prints one line a plane: name, plane, FNV-1a 64 of its bytes. The determinism test
-// runs it in every build, with several numbers of threads and tile sizes, and compares the lines.
+// runs it in every build and on every machine, in every way to draw, and compares the lines.
 //
-//   hash_program [--threads N,N,...] [--tiles N,N,...] [--only NAME] [--expect FILE] [--keep DIR | --against DIR]
-//     --threads, --tiles   every combination is drawn; the first is printed, and one that differs from it is an error
-//     --expect             the lines must be those of the file; the ones that are not are listed
-//     --keep               also writes every plane to DIR/NAME.PLANE
-//     --against            compares with planes so kept and lists the first ten pixels that differ in each
+//   hash_program [--pipelines reference,fast] [--targets all|NAME,...] [--threads N,N,...] [--tiles N,N,...]
+//                [--only NAME] [--expect FILE] [--keep DIR | --against DIR]
+//     --pipelines, --targets, --threads, --tiles
+//                 every way to draw that they make: tiles are of the reference pipeline, targets of the fast one (all:
+//                 each that can run here). The first one's hashes are printed, and what differs from it is an error.
+//                 How many there were goes to standard error.
+//     --expect    the lines must be those of the file; the ones that are not are listed
+//     --keep      also writes every plane to DIR/NAME.PLANE
+//     --against   compares with planes so kept and lists the first ten pixels that differ in each
 #include <algorithm>
 #include <bit>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <span>
+#include <map>
 #include <sstream>
+#include <stdexcept>
 
 #include "pictures.h"
-#include "raster/srgb.h"
+#include "planes.h"
 
 namespace {
 
 using namespace lode::raster;
-using lode::pictures::Picture;
+using namespace lode::pictures;
 
-struct Plane {
-  std::string name;
-  std::size_t bytes_per_pixel;
-  int width_px;
-  std::vector<unsigned char> bytes;
-};
-
-template <class T>
-Plane plane_of(const char* name, const Image& image, const std::vector<T>& pixels) {
-  Plane plane{name, sizeof(T), image.size_px.x, std::vector<unsigned char>(pixels.size() * sizeof(T))};
-  if (!pixels.empty()) std::memcpy(plane.bytes.data(), pixels.data(), plane.bytes.size());
-  return plane;
-}
-
-std::vector<Plane> planes_of(const Image& image) {
-  std::vector<Plane> planes;
-  if (image.format == ColorFormat::rgba8) {
-    planes.push_back(plane_of("color", image, image.rgba8));
-  } else {
-    planes.push_back(plane_of("color", image, image.rgba32f));
-    std::vector<glm::u8vec4> encoded;
-    for (const glm::vec4& c : image.rgba32f) encoded.push_back(srgb8_from_linear(c));
-    planes.push_back(plane_of("srgb", image, encoded));
-  }
-  if (!image.depth.empty()) planes.push_back(plane_of("depth", image, image.depth));
-  if (!image.ids.empty()) planes.push_back(plane_of("ids", image, image.ids));
-  return planes;
-}
-
-std::uint64_t fnv1a64(const std::vector<unsigned char>& bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325u;
-  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001B3u;
-  return hash;
-}
-
-std::string hex(const unsigned char* bytes, std::size_t n) {
-  std::string text;
-  char digits[4];
-  for (std::size_t i = 0; i < n; ++i) {
-    std::snprintf(digits, sizeof digits, "%02x", bytes[i]);
-    text += digits;
-  }
-  return text;
-}
-
-/// Lists where two planes of the same picture differ; true if they do not.
-bool same(const std::string& picture, const Plane& plane, const std::vector<unsigned char>& expected) {
-  if (plane.bytes == expected) return true;
-  std::printf("%s %s: ", picture.c_str(), plane.name.c_str());
-  if (plane.bytes.size() != expected.size()) {
-    std::printf("%zu bytes, expected %zu\n", plane.bytes.size(), expected.size());
-    return false;
-  }
-  const std::size_t each = plane.bytes_per_pixel;
-  std::size_t n_different = 0;
-  std::string list;
-  for (std::size_t at = 0; at < plane.bytes.size(); at += each) {
-    if (std::memcmp(&plane.bytes[at], &expected[at], each) == 0 || ++n_different > 10) continue;
-    const std::size_t pixel = at / each, width = std::size_t(plane.width_px);
-    list += "  (" + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + "): " + hex(&plane.bytes[at], each) +
-            ", expected " + hex(&expected[at], each) + "\n";
-  }
-  std::printf("%zu of %zu pixels differ; bytes of the first:\n%s", n_different, plane.bytes.size() / each, list.c_str());
-  return false;
+std::vector<std::string> words(const std::string& list) {
+  std::vector<std::string> values;
+  std::stringstream stream(list);
+  for (std::string word; std::getline(stream, word, ',');) values.push_back(word);
+  return values;
 }
 
 std::vector<int> numbers(const std::string& list) {
   std::vector<int> values;
-  std::stringstream stream(list);
-  for (std::string word; std::getline(stream, word, ',');) values.push_back(std::stoi(word));
+  for (const std::string& word : words(list)) values.push_back(std::stoi(word));
   return values;
 }
 
 struct Options {
+  std::vector<std::string> pipelines{"reference", "fast"};
+  std::string targets = "all";
   std::vector<int> threads{1};
   std::vector<int> tiles{64};
   std::string only, expect, keep, against;
 };
+
+/// One way to draw a picture.
+struct Way {
+  std::string name;
+  RenderOptions options;
+};
+
+std::vector<Target> targets_of(const std::string& list) {
+  constexpr Target kAll[] = {Target::scalar, Target::sse4, Target::avx2, Target::avx512, Target::neon, Target::wasm};
+  std::vector<Target> targets;
+  if (list == "all") {
+    std::copy_if(std::begin(kAll), std::end(kAll), std::back_inserter(targets), can_run);
+    return targets;
+  }
+  for (const std::string& word : words(list)) {
+    const auto found = std::find_if(std::begin(kAll), std::end(kAll), [&](Target t) { return name_of(t) == word; });
+    if (found == std::end(kAll) || !can_run(*found)) throw std::runtime_error("target " + word + " cannot run here");
+    targets.push_back(*found);
+  }
+  return targets;
+}
+
+/// The fast pipeline's frames share their memory, so that one picture's contents are in the way of the next.
+std::vector<Way> ways_of(const Options& options, FrameMemory& memory) {
+  std::vector<Way> ways;
+  for (const std::string& pipeline : options.pipelines) {
+    if (pipeline == "reference") {
+      for (const int threads : options.threads) {
+        for (const int tile : options.tiles) {
+          ways.push_back({"reference, " + std::to_string(threads) + " threads, tile " + std::to_string(tile),
+                          {.threads = threads, .tile_size_px = tile, .pipeline = Pipeline::reference}});
+        }
+      }
+    } else if (pipeline == "fast") {
+      for (const Target target : targets_of(options.targets)) {
+        for (const int threads : options.threads) {
+          ways.push_back({std::string("fast ") + name_of(target) + ", " + std::to_string(threads) + " threads",
+                          {.threads = threads, .target = target, .memory = &memory}});
+        }
+      }
+    } else {
+      throw std::runtime_error("pipeline " + pipeline + ": expected reference or fast");
+    }
+  }
+  if (ways.empty()) throw std::runtime_error("nothing to draw with");
+  return ways;
+}
+
+/// "reference 21, fast scalar 7, ...": ways by what comes before the first comma.
+std::string counts_of(const std::vector<Way>& ways) {
+  std::vector<std::pair<std::string, int>> counts;
+  for (const Way& way : ways) {
+    const std::string kind = way.name.substr(0, way.name.find(','));
+    if (counts.empty() || counts.back().first != kind) counts.emplace_back(kind, 0);
+    ++counts.back().second;
+  }
+  std::string text;
+  for (const auto& [kind, n] : counts) text += (text.empty() ? "" : ", ") + kind + " " + std::to_string(n);
+  return text;
+}
 
 /// The lines of a file of hashes.
 std::vector<std::string> lines_of(const std::string& path) {
@@ -111,31 +117,24 @@ std::vector<std::string> lines_of(const std::string& path) {
   return lines;
 }
 
-/// Draws one picture in every combination and adds its lines; returns how many planes differ from what they should be.
-int hash_picture(const Picture& picture, const Options& options, std::vector<std::string>& lines) {
+/// Draws one picture in every way and adds its lines; returns how many planes differ from what they should be.
+int hash_picture(const Picture& picture, const std::vector<Way>& ways, const Options& options,
+                 std::vector<std::string>& lines) {
   std::vector<Plane> first;
   int n_wrong = 0;
-  for (const int threads : options.threads) {
-    for (const int tile : options.tiles) {
-      Image image = picture.image();
-      RenderOptions render_options;
-      render_options.threads = threads;
-      render_options.tile_size_px = tile;
-      render(picture.frame(), image, render_options);
-      const std::vector<Plane> planes = planes_of(image);
-      if (first.empty()) first = planes;
-      for (std::size_t i = 0; i < planes.size(); ++i) {
-        if (same(picture.name, planes[i], first[i].bytes)) continue;
-        std::printf("  with %d threads, tile %d; expected as with %d threads, tile %d\n", threads, tile,
-                    options.threads[0], options.tiles[0]);
-        ++n_wrong;
-      }
+  for (const Way& way : ways) {
+    Image image = picture.image();
+    render(picture.frame(), image, way.options);
+    const std::vector<Plane> planes = planes_of(image);
+    if (first.empty()) first = planes;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (check_plane(picture.name, planes[i], first[i].bytes)) continue;
+      std::printf("  with %s; expected as with %s\n", way.name.c_str(), ways[0].name.c_str());
+      ++n_wrong;
     }
   }
   for (const Plane& plane : first) {
-    char hash[24];
-    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(fnv1a64(plane.bytes)));
-    lines.push_back(picture.name + " " + plane.name + " " + hash);
+    lines.push_back(picture.name + " " + plane.name + " " + hash_of(plane));
     std::printf("%s\n", lines.back().c_str());
     const std::string file_name = picture.name + "." + plane.name;
     if (!options.keep.empty()) {
@@ -145,10 +144,36 @@ int hash_picture(const Picture& picture, const Options& options, std::vector<std
     if (!options.against.empty()) {
       std::ifstream file(std::filesystem::path(options.against) / file_name, std::ios::binary);
       const std::vector<unsigned char> expected{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-      if (!same(picture.name, plane, expected)) ++n_wrong;
+      if (!check_plane(picture.name, plane, expected)) ++n_wrong;
     }
   }
   return n_wrong;
+}
+
+/// Lists the lines that are not those expected; returns how many.
+int check_lines(const std::vector<std::string>& lines, const std::vector<std::string>& expected) {
+  int n_wrong = 0;
+  for (std::size_t i = 0; i < std::max(lines.size(), expected.size()); ++i) {
+    const std::string drawn = i < lines.size() ? lines[i] : "nothing";
+    const std::string right = i < expected.size() ? expected[i] : "nothing";
+    if (drawn == right) continue;
+    std::printf("expected %s, drawn %s\n", right.c_str(), drawn.c_str());
+    ++n_wrong;
+  }
+  return n_wrong;
+}
+
+int run(const Options& options) {
+  FrameMemory memory;
+  const std::vector<Way> ways = ways_of(options, memory);
+  int n_wrong = 0;
+  std::vector<std::string> lines;
+  for (const Picture& picture : all_pictures()) {
+    if (options.only.empty() || options.only == picture.name) n_wrong += hash_picture(picture, ways, options, lines);
+  }
+  if (!options.expect.empty()) n_wrong += check_lines(lines, lines_of(options.expect));
+  std::fprintf(stderr, "%zu planes x %zu: %s\n", lines.size(), ways.size(), counts_of(ways).c_str());
+  return n_wrong == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -156,29 +181,28 @@ int hash_picture(const Picture& picture, const Options& options, std::vector<std
 int main(int n_arguments, char** arguments) {
   static_assert(std::endian::native == std::endian::little, "the hashes are of little-endian bytes");
   Options options;
-  for (int i = 1; i < n_arguments; i += 2) {
-    const std::string name = arguments[i], value = i + 1 < n_arguments ? arguments[i + 1] : "";
-    if (name == "--threads") options.threads = numbers(value);
-    else if (name == "--tiles") options.tiles = numbers(value);
-    else if (name == "--only") options.only = value;
-    else if (name == "--expect") options.expect = value;
-    else if (name == "--keep") options.keep = value;
-    else if (name == "--against") options.against = value;
-    else return std::fprintf(stderr, "hash_program: unknown option %s\n", name.c_str()), 2;
-  }
-  int n_wrong = 0;
-  std::vector<std::string> lines;
-  for (const Picture& picture : lode::pictures::all_pictures()) {
-    if (options.only.empty() || options.only == picture.name) n_wrong += hash_picture(picture, options, lines);
-  }
-  if (!options.expect.empty()) {
-    const std::vector<std::string> expected = lines_of(options.expect);
-    for (std::size_t i = 0; i < std::max(lines.size(), expected.size()); ++i) {
-      const std::string drawn = i < lines.size() ? lines[i] : "nothing", right = i < expected.size() ? expected[i] : "nothing";
-      if (drawn == right) continue;
-      std::printf("expected %s, drawn %s\n", right.c_str(), drawn.c_str());
-      ++n_wrong;
+  const std::map<std::string, std::string*> texts = {{"--targets", &options.targets},
+                                                     {"--only", &options.only},
+                                                     {"--expect", &options.expect},
+                                                     {"--keep", &options.keep},
+                                                     {"--against", &options.against}};
+  try {
+    for (int i = 1; i < n_arguments; i += 2) {
+      const std::string name = arguments[i], value = i + 1 < n_arguments ? arguments[i + 1] : "";
+      if (texts.contains(name))
+        *texts.at(name) = value;
+      else if (name == "--pipelines")
+        options.pipelines = words(value);
+      else if (name == "--threads")
+        options.threads = numbers(value);
+      else if (name == "--tiles")
+        options.tiles = numbers(value);
+      else
+        throw std::runtime_error("unknown option " + name);
     }
+    return run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hash_program: %s\n", error.what());
+    return 2;
   }
-  return n_wrong == 0 ? 0 : 1;
 }

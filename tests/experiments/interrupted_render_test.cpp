@@ -54,7 +54,7 @@ TEST(InterruptedRender, ShowsProgressAndLeavesNothingBehind) {
   const TemporaryDirectory directory;
   const TerminalRun run = interrupted_when(" tiles/s  ", directory / "picture.png");
   EXPECT_EQ(run.signal, SIGINT);
-  EXPECT_THAT(run.text, HasSubstr("rendering   "));
+  EXPECT_THAT(run.text, HasSubstr("rendering  "));
   EXPECT_THAT(run.text, HasSubstr(" left"));
   EXPECT_THAT(run.text, testing::EndsWith("\r\033[K"));  // the line is gone
   EXPECT_THAT(directory.names(), IsEmpty());

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "raster/render.h"
 #include "tests/experiments/run_program.h"
 
 namespace lode::tests {
@@ -83,13 +84,24 @@ TEST(Program, ATargetThatTheProcessorLacksIsWrongUsage) {
   expect_wrong_usage({"draw", "-", "--print", "--target", "avx2"}, "avx2: this processor lacks it");
 #endif
   expect_wrong_usage({"draw", "-", "--print", "--target", "mmx"}, "expected best, scalar, sse4");
+  using raster::Target;
+  for (const Target target : {Target::sse4, Target::avx2, Target::avx512, Target::neon, Target::wasm}) {
+    const Outcome run = run_lodestone({"draw", "-", "--print", "--target", raster::name_of(target)}, kEmpty);
+    EXPECT_EQ(run.status, raster::can_run(target) ? 0 : 2) << raster::name_of(target);
+  }
 }
 
 TEST(Program, PipelinesAndSkipsAreKnownByName) {
   EXPECT_EQ(run_lodestone({"draw", "-", "--print", "--pipeline", "fast"}, kEmpty).status, 0);
   EXPECT_EQ(run_lodestone({"draw", "-", "--print", "--skip", "all"}, kEmpty).status, 0);
   expect_wrong_usage({"draw", "-", "--print", "--pipeline", "slow"}, "expected fast or reference");
-  expect_wrong_usage({"draw", "-", "--print", "--skip", "tiles"}, "no such skip");
+  for (const char* list : {"none", "frustum", "blocks,samples", "frustum,facing,occlusion,samples,blocks"}) {
+    EXPECT_EQ(run_lodestone({"draw", "-", "--print", "--skip", list}, kEmpty).status, 0) << list;
+  }
+  for (const char* list : {"tiles", "", "frustum,", "frustum,tiles", "all,none", "Blocks"}) {
+    expect_wrong_usage({"draw", "-", "--print", "--skip", list},
+                       "--skip: expected all, none, or some of frustum, facing, occlusion, samples, blocks, found");
+  }
 }
 
 TEST(Program, AControlCharacterInANameDoesNotBreakTheLine) {

@@ -111,8 +111,8 @@ TEST(Render, StatisticsAreOfTheFirstFrameWithHashesOfAllPlanes) {
   EXPECT_EQ(stats["scene"], "torus");
   EXPECT_EQ(stats["size"], nlohmann::json::parse("[40, 30]"));
   EXPECT_EQ(stats["threads"], 2);
-  EXPECT_EQ(stats["target"], "scalar");
-  EXPECT_EQ(stats["pipeline"], "reference");
+  EXPECT_EQ(stats["target"], raster::name_of(raster::best_target()));
+  EXPECT_EQ(stats["pipeline"], "fast");
   EXPECT_EQ(stats["pixel_contract"], 1);
   EXPECT_GE(stats["prepare_ms"], 0.0);
   EXPECT_EQ(stats["frame_ms"]["n"], 3);
@@ -129,6 +129,17 @@ TEST(Render, StatisticsAreOfTheFirstFrameWithHashesOfAllPlanes) {
   EXPECT_EQ(stats["sha256"]["ids"], hash("i.npy"));
 }
 
+TEST(Render, StatisticsNameThePipelineAndTheTargetThatRan) {
+  const auto ran = [](Arguments more) {
+    more.insert(more.begin(), {"cube", "--size", "8x8"});
+    const nlohmann::json stats = stats_of(more);
+    return stats["pipeline"].get<std::string>() + " " + stats["target"].get<std::string>();
+  };
+  EXPECT_EQ(ran({}), std::string("fast ") + raster::name_of(raster::best_target()));
+  EXPECT_EQ(ran({"--target", "scalar"}), "fast scalar");
+  EXPECT_EQ(ran({"--pipeline", "reference"}), "reference scalar");
+}
+
 TEST(Render, OptionsOfTheMachineMoveNoBytes) {
   const auto hashes = [](Arguments more) {
     more.insert(more.begin(), {"spheres:side=3", "--size", "70x50"});
@@ -136,7 +147,15 @@ TEST(Render, OptionsOfTheMachineMoveNoBytes) {
   };
   const auto expected = hashes({"--threads", "1"});
   EXPECT_EQ(hashes({"--threads", "5", "--repeat", "2", "--orbit", "10"}), expected);
-  EXPECT_EQ(hashes({"--target", "scalar", "--pipeline", "reference", "--skip", "none"}), expected);
+  EXPECT_EQ(hashes({"--pipeline", "reference"}), expected);
+  using raster::Target;
+  for (const Target target : {Target::scalar, Target::sse4, Target::avx2, Target::avx512, Target::neon, Target::wasm}) {
+    if (!raster::can_run(target)) continue;
+    for (const char* skips : {"all", "none", "frustum", "facing,samples", "occlusion,blocks"}) {
+      EXPECT_EQ(hashes({"--target", raster::name_of(target), "--skip", skips}), expected)
+          << raster::name_of(target) << " " << skips;
+    }
+  }
   EXPECT_EQ(hashes({"--technique", "plain"}), expected);
 }
 

@@ -53,6 +53,19 @@ TEST(Truth, ScenesOfAnySizeAreTracedInASpaceOfSizeOne) {
   }
 }
 
+TEST(Truth, CheckOfEitherPipelineSaysTheSame) {
+  const auto check = [](const Arguments& more) {
+    Arguments arguments = {"spheres:side=2,segments=8", "--check", "--size", "48x36"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = truth(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.out;
+  };
+  const std::string expected = check({"--pipeline", "reference"});
+  EXPECT_EQ(check({}), expected);
+  EXPECT_EQ(check({"--target", "scalar", "--skip", "none"}), expected);
+}
+
 TEST(Truth, CheckLeavesOutWhatBlends) {
   const Outcome run = truth({"alpha", "--check", "--size", "64x48"});
   EXPECT_EQ(run.status, 0) << run.err;

@@ -191,6 +191,41 @@ TEST(SceneDraws, DrawsAreInstancesAndPrimitivesThoseOfTheMesh) {
   EXPECT_LT(image.ids[3].primitive, 2u);
 }
 
+TEST(SceneDraws, InstancesOfAMeshOfTrianglesShareItsClusters) {
+  geometry::Scene scene;
+  add(scene, unit_square(), {});
+  scene.instances.push_back(scene.instances[0]);
+  add(scene, unit_square(1.0f), {});
+  geometry::Mesh line = unit_square();
+  line.kind = geometry::MeshKind::lines;
+  line.indices = {0, 1};
+  add(scene, line, {});
+  techniques::SceneDraws scene_draws(scene, kRaw);
+  for (const raster::Draw& draw : scene_draws.draws(square_camera(1), {1, 1})) EXPECT_EQ(draw.clusters, nullptr);
+  scene_draws.cut_clusters();
+  const std::vector<raster::Draw> draws = scene_draws.draws(square_camera(1), {1, 1});
+  ASSERT_NE(draws[0].clusters, nullptr);
+  EXPECT_EQ(draws[0].clusters->n_positions, 4u);
+  EXPECT_EQ(draws[0].clusters->n_primitives, 2u);
+  EXPECT_EQ(draws[1].clusters, draws[0].clusters);
+  ASSERT_NE(draws[2].clusters, nullptr);
+  EXPECT_NE(draws[2].clusters, draws[0].clusters);
+  EXPECT_EQ(draws[3].clusters, nullptr);
+}
+
+TEST(SceneDraws, ClustersAreOfWhatIsDrawn) {
+  // Lit without normals, the square is drawn as two triangles of three vertices each.
+  geometry::Scene scene;
+  geometry::Mesh square = unit_square();
+  square.normals.clear();
+  add(scene, square, {});
+  techniques::SceneDraws scene_draws(scene, {Shading::lambert, ColorSpace::raw});
+  scene_draws.cut_clusters();
+  const raster::Draw draw = scene_draws.draws(square_camera(1), {1, 1})[0];
+  EXPECT_EQ(draw.clusters->n_positions, std::get<raster::ObjectVertices>(draw.vertices).positions.size());
+  EXPECT_EQ(draw.clusters->n_positions, 6u);
+}
+
 TEST(SceneDraws, APictureThatIsTooLargeIsNamed) {
   geometry::Scene scene;
   scene.pictures.push_back({.name = "wall.png", .size_px = {16385, 1}, .texels = {}});

@@ -27,7 +27,7 @@ TEST(TruthStress, EveryDifferenceIsExplained) {
     const geometry::Bounds bounds = scene.bounds();
     std::string name = std::to_string(n_scenes) + ":" + scene.name;
     const geometry::Camera camera = random_camera(random, bounds, kSize, name);
-    const ViewCheck view = check_view(techniques::SceneDraws(scene, {}), camera, bounds, kSize, 0);
+    const ViewCheck view = check_view(techniques::SceneDraws(scene, {}), camera, bounds, kSize, {});
     for (std::size_t v = 0; v < kVerdicts; ++v) pixels[v] += view.picture.pixels[v];
     edge_px += view.edges.length_px;
     for (const Unexplained& u : view.picture.examples) {
