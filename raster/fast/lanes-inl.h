@@ -41,18 +41,14 @@ HWY_INLINE hn::Vec<Wide> BothHalves(Wide wide, Half low, Half high) {
   return hn::Combine(wide, high, low);
 }
 
-/// Four floats each from as many places as there are groups of four lanes: first[0], first[stride], …
-HWY_INLINE hn::Vec<Floats> FoursFrom(const float* const* first, std::size_t stride) {
-  const Floats f;
-  const hn::CappedTag<float, 4> four;
-  if constexpr (hn::MaxLanes(f) == 16) {
-    const hn::Half<Floats> half;
-    return hn::Combine(f, hn::Combine(half, hn::Load(four, first[3 * stride]), hn::Load(four, first[2 * stride])),
-                       hn::Combine(half, hn::Load(four, first[stride]), hn::Load(four, first[0])));
-  } else if constexpr (hn::MaxLanes(f) == 8) {
-    return hn::Combine(f, hn::Load(four, first[stride]), hn::Load(four, first[0]));
+/// Four floats each from as many places as there are groups of four lanes: first[0], first[4], …
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> FoursFrom(Tag tag, const float* const* first) {
+  if constexpr (hn::MaxLanes(Tag()) > 4) {
+    const hn::Half<Tag> half;
+    return hn::Combine(tag, FoursFrom(half, first + hn::MaxLanes(Tag()) / 2), FoursFrom(half, first));
   } else {
-    return hn::Load(f, first[0]);
+    return hn::Load(tag, first[0]);
   }
 }
 
@@ -61,7 +57,7 @@ HWY_INLINE hn::Vec<Floats> FoursFrom(const float* const* first, std::size_t stri
 HWY_INLINE void LoadTransposed(const float* const* from, hn::Vec<Floats> (&out)[4]) {
   const Floats f;
   const hn::RepartitionToWide<Floats> pairs;
-  const auto a = FoursFrom(from, 4), b = FoursFrom(from + 1, 4), c = FoursFrom(from + 2, 4), d = FoursFrom(from + 3, 4);
+  const auto a = FoursFrom(f, from), b = FoursFrom(f, from + 1), c = FoursFrom(f, from + 2), d = FoursFrom(f, from + 3);
   const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(f, a, b)), ab_high = hn::BitCast(pairs, hn::InterleaveUpper(f, a, b));
   const auto cd_low = hn::BitCast(pairs, hn::InterleaveLower(f, c, d)), cd_high = hn::BitCast(pairs, hn::InterleaveUpper(f, c, d));
   out[0] = hn::BitCast(f, hn::InterleaveLower(pairs, ab_low, cd_low));
