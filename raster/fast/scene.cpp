@@ -62,8 +62,11 @@ void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport&
   std::array<reference::WindowVertex, kMaxClusterVertices> window;
   std::array<bool, kMaxClusterVertices> whole;
   for (std::size_t i = 0; i < cluster.n_vertices; ++i) {
-    const glm::dvec4 p = reference::clip_position(draw.vertices, all.vertices[cluster.first_vertex + i]);
-    whole[i] = !reference::has_nan(p) && reference::outside_planes(viewport, p) == 0;
+    const std::size_t at = cluster.first_vertex + i;
+    const glm::dvec4 p = reference::clip_position(draw.vertices, all.vertices[at]);
+    // The kernels do not know how infinite coordinates are read.
+    const bool finite = std::isfinite(all.x[at]) && std::isfinite(all.y[at]) && std::isfinite(all.z[at]);
+    whole[i] = finite && !reference::has_nan(p) && reference::outside_planes(viewport, p) == 0;
     if (whole[i]) window[i] = reference::window_vertex(viewport, p);
   }
   UncleanCluster unclean;
