@@ -8,6 +8,9 @@
 #include "raster/fast/coverage-inl.h"
 #include "raster/fast/depth-inl.h"
 #include "raster/fast/flat-inl.h"
+#if HWY_TARGET != HWY_SCALAR  // which is in no table: the reference pipeline runs there
+#include "raster/fast/tint-inl.h"
+#endif
 #include "raster/fast/vertices-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,8 +27,12 @@ constexpr Target kTarget = Target::sse4;
 constexpr Target kTarget = Target::scalar;
 #endif
 
+#if HWY_TARGET == HWY_SCALAR
+constexpr auto ShadeTextured = nullptr;
+#endif
+
 extern const Kernels kKernels;
-const Kernels kKernels = {kTarget, Project, Transform, Rasterize, LeastDepth, ShadeFlat, StoreBytes};
+const Kernels kKernels = {kTarget, Project, Transform, Rasterize, LeastDepth, ShadeFlat, StoreBytes, ShadeTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

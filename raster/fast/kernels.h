@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "raster/clusters.h"
+#include "raster/fast/textured.h"
 #include "raster/frame.h"
 #include "raster/render.h"
 
@@ -111,6 +112,10 @@ struct Kernels {
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).
   void (*store_bytes)(const float* rgba, std::uint32_t* bytes);
+  /// Bytes [16] of a 4×4's samples in `lanes` (bit 4·y + x; at least one), each covered by the triangle; what the others
+  /// become is not said. x_fx8, y_fx8: the first sample, from the tile's corner. Returns how many texels were read.
+  std::uint64_t (*shade_textured)(const TexturedTriangle& triangle, int x_fx8, int y_fx8, std::uint32_t lanes,
+                                  std::uint32_t* bytes);
 };
 
 /// The kernels of a target (`best`: of the widest set that this processor has); null if it cannot run here.
