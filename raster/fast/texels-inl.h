@@ -13,6 +13,7 @@
 #define LODE_RASTER_FAST_TEXELS_INL_H_
 #endif
 
+#include "raster/fast/fetch-inl.h"
 #include "raster/fast/lanes-inl.h"
 #include "raster/fast/pair_sums-inl.h"
 
@@ -20,10 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
-using Uints = hn::RebindToUnsigned<Ints>;
 using Shorts = hn::Repartition<std::int16_t, Ints>;
-using Bytes = hn::Repartition<std::uint8_t, Ints>;
-using U = hn::Vec<Uints>;
 using D = hn::Vec<Doubles>;
 
 /// A double for each lane of Ints: lanes [0, n/2) and [n/2, n).
@@ -88,12 +86,6 @@ HWY_INLINE I Doubtful(const Axis& axis, U shifted, std::int32_t margin) {
   return hn::VecFromMask(di, hn::Lt(hn::BitCast(di, near), hn::Set(di, 2 * margin + 1)));
 }
 
-/// What a linear filter reads along an axis: weights 256 − second_weight and second_weight, 1…255. A weight of 0 is made
-/// 1 of the first texel once more, so that both fit bytes.
-struct Pair {
-  I first, second, second_weight;
-};
-
 HWY_INLINE Pair LinearTexels(const Axis& axis, const TwoHalves& w, std::int32_t margin, I& doubtful) {
   const Ints di;
   const Uints du;
@@ -112,7 +104,7 @@ HWY_INLINE Pair LinearTexels(const Axis& axis, const TwoHalves& w, std::int32_t 
     first = hn::Max(first, hn::Zero(di));
     second = hn::Min(second, last);
   }
-  return {first, hn::IfThenElse(hn::Eq(weight, hn::Zero(di)), first, second), hn::Max(weight, hn::Set(di, 1))};
+  return {first, second, weight};
 }
 
 /// The texel that contains the coordinate. At the picture's edges there is nothing to doubt, unless it repeats there.
@@ -130,21 +122,6 @@ HWY_INLINE I NearestTexel(const Axis& axis, const TwoHalves& w, std::int32_t mar
   return hn::Min(hn::BitCast(di, hn::ShiftRightSame(fixed, axis.spare_bits)), hn::Set(di, axis.size_px - 1));
 }
 
-/// The texels (x0,y0), (x1,y0), (x0,y1), (x1,y1) of each lane.
-struct Quad {
-  U t00, t10, t01, t11;
-};
-
-HWY_INLINE Quad Fetch(const std::int32_t* texels, std::int32_t width_px, const Pair& x, const Pair& y) {
-  const Ints di;
-  const Uints du;
-  const auto row0 = hn::Mul(y.first, hn::Set(di, width_px)), row1 = hn::Mul(y.second, hn::Set(di, width_px));
-  const auto at = [&](I row, I column) HWY_ATTR {
-    return hn::BitCast(du, hn::GatherIndex(di, texels, hn::Add(row, column)));
-  };
-  return {at(row0, x.first), at(row0, x.second), at(row1, x.first), at(row1, x.second)};
-}
-
 /// Sums of weight·texel in 1/2^16 (24 bits), less 2^23. Vector k has the four channels of lane k of each four.
 struct Sums {
   I of_lane[4];
@@ -152,19 +129,18 @@ struct Sums {
 
 HWY_INLINE Sums Filtered(const Quad& q, I x_weight, I y_weight) {
   const Ints di;
-  const Uints du;
   const Shorts d16;
-  const Bytes d8;
-  // Along x: (256 − w)·(a − 128) + w·(b − 128), from −2^15 to 2^15 − 1, as both weights and texels fit bytes.
-  const auto signed_bytes = [&](U t) HWY_ATTR { return hn::BitCast(d8, hn::Xor(t, hn::Set(du, 0x80808080u))); };
-  const auto x_bytes = hn::Add(hn::ShiftLeft<8>(x_weight), hn::Sub(hn::Set(di, 256), x_weight));
+  // Along x: (256 − w)·(a − 128) + w·(b − 128), from −2^15 to 2^15 − 1. Bytes hold the weights, as a weight of 0 can be
+  // made 1: there both texels are the first one.
+  const auto second = hn::Max(x_weight, hn::Set(di, 1));
+  const auto x_bytes = hn::Add(hn::ShiftLeft<8>(second), hn::Sub(hn::Set(di, 256), second));
   const auto x_both = hn::Or(x_bytes, hn::ShiftLeft<16>(x_bytes));
   const auto x_low = hn::InterleaveLower(di, x_both, x_both), x_high = hn::InterleaveUpper(di, x_both, x_both);
-  const auto a0 = signed_bytes(q.t00), b0 = signed_bytes(q.t10), a1 = signed_bytes(q.t01), b1 = signed_bytes(q.t11);
-  const auto top_low = PairSumsOfBytes(x_low, hn::BitCast(di, hn::InterleaveLower(d8, a0, b0)));
-  const auto top_high = PairSumsOfBytes(x_high, hn::BitCast(di, hn::InterleaveUpper(d8, a0, b0)));
-  const auto bottom_low = PairSumsOfBytes(x_low, hn::BitCast(di, hn::InterleaveLower(d8, a1, b1)));
-  const auto bottom_high = PairSumsOfBytes(x_high, hn::BitCast(di, hn::InterleaveUpper(d8, a1, b1)));
+  const auto along_x = [&](I weights, I texels) HWY_ATTR {
+    return PairSumsOfBytes(weights, hn::Xor(texels, hn::Set(di, std::int32_t(0x80808080u))));
+  };
+  const auto top_low = along_x(x_low, q.top.low), top_high = along_x(x_high, q.top.high);
+  const auto bottom_low = along_x(x_low, q.bottom.low), bottom_high = along_x(x_high, q.bottom.high);
   // Along y: the same of 16-bit numbers.
   const auto y_pairs = hn::Add(hn::ShiftLeft<16>(y_weight), hn::Sub(hn::Set(di, 256), y_weight));
   const auto lower = [&](I top, I bottom) HWY_ATTR {

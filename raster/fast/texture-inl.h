@@ -123,7 +123,7 @@ HWY_INLINE Sums LevelSums(const TexturedTriangle& t, std::int32_t level, const C
   const Pair x = LinearTexels(x_axis, w.u, t.margin_fx31, doubtful);
   const Pair y = LinearTexels(y_axis, w.v, t.margin_fx31, doubtful);
   const auto* texels = reinterpret_cast<const std::int32_t*>(l.raw.data());
-  return Filtered(Fetch(texels, l.size_px.x, x, y), x.second_weight, y.second_weight);
+  return Filtered(Fetch({texels, l.size_px.x, l.size_px.y}, x, y), x.second_weight, y.second_weight);
 }
 
 HWY_INLINE U NearestTexels(const TexturedTriangle& t, const Coordinates& w, I& doubtful) {
