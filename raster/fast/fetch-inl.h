@@ -97,9 +97,9 @@ HWY_INLINE PairedBytes FetchPairs(const std::int32_t* texels, const std::int32_t
 }
 
 #if HWY_TARGET == HWY_AVX3
-/// The 8×8 texels from (x, y) on hold every texel of the lanes: `place` is the first one's, 8·row + column. Registers of
-/// two rows serve as tables.
-HWY_INLINE Quad FetchFromWindow(const LevelTexels& level, std::int32_t x, std::int32_t y, I place, I x_step, I y_step) {
+/// The 8×8 texels from (x, y) on hold every texel of the lanes: `place` is the first one's, 8·row + column, both below 7.
+/// Registers of two rows serve as tables.
+HWY_INLINE Quad FetchFromWindow(const LevelTexels& level, std::int32_t x, std::int32_t y, I place, I x_weight) {
   const Ints di;
   const std::int32_t* from = level.texels + std::size_t(y) * std::size_t(level.width_px) + std::size_t(x);
   const auto two_rows = [&](int row) HWY_ATTR {
@@ -113,37 +113,49 @@ HWY_INLINE Quad FetchFromWindow(const LevelTexels& level, std::int32_t x, std::i
     const I high{_mm512_permutex2var_epi32(rows[2].raw, i.raw, rows[3].raw)};
     return hn::IfThenElse(hn::TestBit(i, hn::Set(di, 32)), high, low);
   };
-  const I below = hn::Add(place, y_step);
-  return {Paired(at(place), at(hn::Add(place, x_step))), Paired(at(below), at(hn::Add(below, x_step)))};
+  const I step = hn::IfThenZeroElse(hn::Eq(x_weight, hn::Zero(di)), hn::Set(di, 1));
+  const I below = hn::Add(place, hn::Set(di, 8));
+  return {Paired(at(place), at(hn::Add(place, step))), Paired(at(below), at(hn::Add(below, step)))};
 }
 #endif
 
+/// Lanes whose second texels are right of and below the first ones.
+HWY_INLINE Quad FetchAllPairs(const LevelTexels& level, I column, I row, I x_weight) {
+  const Ints di;
+  alignas(64) std::int32_t top[16], bottom[16];
+  const auto index = hn::Add(hn::Mul(row, hn::Set(di, level.width_px)), column);
+  hn::Store(index, di, top);
+  hn::Store(hn::Add(index, hn::Set(di, level.width_px)), di, bottom);
+  return {FetchPairs(level.texels, top, x_weight), FetchPairs(level.texels, bottom, x_weight)};
+}
+
+/// The first texels of all lanes are within columns x…x + 6 and rows y…y + 6 of the level, and are given from there;
+/// the second ones are right of and below them, inside the level.
+HWY_INLINE Quad FetchNear(const LevelTexels& level, std::int32_t x, std::int32_t y, I column, I row, I x_weight) {
+#if HWY_TARGET == HWY_AVX3
+  return FetchFromWindow(level, x, y, hn::Add(hn::ShiftLeft<3>(row), column), x_weight);
+#else
+  const std::int32_t* from = level.texels + std::size_t(y) * std::size_t(level.width_px) + std::size_t(x);
+  return FetchAllPairs({from, level.width_px, level.height_px}, column, row, x_weight);
+#endif
+}
+
 HWY_INLINE Quad Fetch(const LevelTexels& level, const Pair& x, const Pair& y) {
   const Ints di;
-  const auto one = hn::Set(di, 1), zero = hn::Zero(di);
-  const auto neighbours = hn::Eq(x.second, hn::Add(x.first, one));
+  const auto one = hn::Set(di, 1);
+  const auto neighbours = hn::And(hn::Eq(x.second, hn::Add(x.first, one)), hn::Eq(y.second, hn::Add(y.first, one)));
   if (HWY_UNLIKELY(!hn::AllTrue(di, neighbours))) return FetchOneByOne(level, x, y);
 #if HWY_TARGET == HWY_AVX3
   if (level.width_px >= 8 && level.height_px >= 8) {
     const std::int32_t left = std::min(hn::GetLane(hn::MinOfLanes(di, x.first)), level.width_px - 8);
     const std::int32_t top = std::min(hn::GetLane(hn::MinOfLanes(di, y.first)), level.height_px - 8);
     const auto column = hn::Sub(x.first, hn::Set(di, left)), row = hn::Sub(y.first, hn::Set(di, top));
-    const auto rows_apart = hn::Sub(y.second, y.first);  // 1, or 0 and less at an edge
-    const auto least = hn::Min(column, row), most = hn::Max(column, row);
-    if (hn::AllTrue(di, hn::And(hn::And(hn::Gt(least, hn::Set(di, -1)), hn::Lt(most, hn::Set(di, 7))),
-                                hn::Eq(rows_apart, one)))) {
-      return FetchFromWindow(level, left, top, hn::Add(hn::ShiftLeft<3>(row), column),
-                             hn::IfThenZeroElse(hn::Eq(x.second_weight, zero), one), hn::Set(di, 8));
+    if (hn::AllTrue(di, hn::Lt(hn::Max(column, row), hn::Set(di, 7)))) {
+      return FetchNear(level, left, top, column, row, x.second_weight);
     }
   }
-#else
-  (void)zero;
 #endif
-  alignas(64) std::int32_t top_index[16], bottom_index[16];
-  const auto width = hn::Set(di, level.width_px);
-  hn::Store(hn::Add(hn::Mul(y.first, width), x.first), di, top_index);
-  hn::Store(hn::Add(hn::Mul(y.second, width), x.first), di, bottom_index);
-  return {FetchPairs(level.texels, top_index, x.second_weight), FetchPairs(level.texels, bottom_index, x.second_weight)};
+  return FetchAllPairs(level, x.first, y.first, x.second_weight);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,6 +9,7 @@
 #include "raster/fast/depth-inl.h"
 #include "raster/fast/flat-inl.h"
 #if HWY_TARGET != HWY_SCALAR  // which is in no table: the reference pipeline runs there
+#include "raster/fast/ordered-inl.h"
 #include "raster/fast/tint-inl.h"
 #endif
 #include "raster/fast/vertices-inl.h"
@@ -28,11 +29,12 @@ constexpr Target kTarget = Target::scalar;
 #endif
 
 #if HWY_TARGET == HWY_SCALAR
-constexpr auto ShadeTextured = nullptr;
+constexpr auto ShadeTextured = nullptr, DrawTextured = nullptr;
 #endif
 
 extern const Kernels kKernels;
-const Kernels kKernels = {kTarget, Project, Transform, Rasterize, LeastDepth, ShadeFlat, StoreBytes, ShadeTextured};
+const Kernels kKernels = {kTarget, Project, Transform, Rasterize, LeastDepth, ShadeFlat, StoreBytes, ShadeTextured,
+                          DrawTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

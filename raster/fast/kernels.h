@@ -98,6 +98,21 @@ struct FlatJob {
   int x_fx8 = 0, y_fx8 = 0;  ///< the first sample of the 4×4, from the tile's corner
 };
 
+/// A textured triangle of an ordered draw that writes no depth, over a tile.
+struct OrderedJob {
+  const TexturedTriangle* triangle = nullptr;
+  int begin_x = 0, begin_y = 0, end_x = 0, end_y = 0;  ///< pixels of the tile that may be written
+  int sample_x_fx8 = 128, sample_y_fx8 = 128;
+  bool depth_test = true;  ///< strictly nearer than the tile's depth passes
+  Blend blend = Blend::none;
+  const TileBuffers* tile = nullptr;
+  std::uint32_t* rgba8 = nullptr;  ///< [kTilePixels], places as place_in_tile, 64-byte aligned
+};
+
+struct OrderedCounts {
+  std::uint64_t covered = 0, depth_failed = 0, shaded = 0, blended = 0, texels_read = 0;
+};
+
 struct Kernels {
   Target target;
   Projected (*project)(const DrawView& view, const glm::vec3& low, const glm::vec3& high);
@@ -116,6 +131,8 @@ struct Kernels {
   /// become is not said. x_fx8, y_fx8: the first sample, from the tile's corner. Returns how many texels were read.
   std::uint64_t (*shade_textured)(const TexturedTriangle& triangle, int x_fx8, int y_fx8, std::uint32_t lanes,
                                   std::uint32_t* bytes);
+  /// Draws the triangle's samples into the tile's colours and adds to the counts.
+  void (*draw_textured)(const OrderedJob& job, OrderedCounts& counts);
 };
 
 /// The kernels of a target (`best`: of the widest set that this processor has); null if it cannot run here.

@@ -204,6 +204,17 @@ HWY_INLINE Shaded TexelsAt(const TexturedTriangle& t, double x_px, double y_px, 
           per_sample * std::uint32_t(std::popcount(sure)) + 4 * std::uint32_t(std::popcount(sure & second_levels))};
 }
 
+/// The reference's texels of a 4×4's samples in `lanes`; returns how many it read.
+HWY_INLINE std::uint64_t ExactTexels(const TexturedTriangle& t, int x_fx8, int y_fx8, std::uint32_t lanes,
+                                     std::uint32_t* bytes) {
+  std::uint64_t n_read = 0;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int k = std::countr_zero(lanes);
+    bytes[k] = exact_texel(t, {x_fx8 + 256 * (k & 3), y_fx8 + 256 * (k >> 2)}, &n_read);
+  }
+  return n_read;
+}
+
 /// The texels of a 4×4's samples in `lanes`; returns how many were read.
 HWY_INLINE std::uint64_t TexelsOf(const TexturedTriangle& t, int x_fx8, int y_fx8, std::uint32_t lanes,
                                   std::uint32_t* bytes) {
@@ -225,10 +236,7 @@ HWY_INLINE std::uint64_t TexelsOf(const TexturedTriangle& t, int x_fx8, int y_fx
   } else {
     doubtful = lanes;
   }
-  for (; HWY_UNLIKELY(doubtful != 0); doubtful &= doubtful - 1) {
-    const int k = std::countr_zero(doubtful);
-    bytes[k] = exact_texel(t, {x_fx8 + 256 * (k & 3), y_fx8 + 256 * (k >> 2)}, &n_read);
-  }
+  if (HWY_UNLIKELY(doubtful != 0)) n_read += ExactTexels(t, x_fx8, y_fx8, doubtful, bytes);
   return n_read;
 }
 

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <span>
+#include <memory>
+#include <vector>
 
 #include "raster/blend.h"
 #include "raster/reference/shade.h"
@@ -69,6 +70,85 @@ TEST_P(TextureKernels, ShadeA4x4AsTheReferenceDoes) {
     }
   }
   EXPECT_GT(n_samples, 100000);
+}
+
+/// A tile with random colours; depths random or, in whole quarters, of nothing yet.
+struct Tile {
+  explicit Tile(HashedNumbers& random) : rgba8(std::make_unique<Bytes>()), buffers(std::make_unique<TileBuffers>()) {
+    for (int k = 0; k < kTilePixels; ++k) {
+      rgba8->at[k] = std::uint32_t(random.bits());
+      buffers->depth[k] = (k >> 4) % 3 == 0 ? -1.0f : float(random.unit());
+    }
+  }
+  struct Bytes {
+    alignas(64) std::uint32_t at[kTilePixels];
+  };
+  std::unique_ptr<Bytes> rgba8;
+  std::unique_ptr<TileBuffers> buffers;
+};
+
+/// The same by the reference's functions, sample by sample.
+OrderedCounts draw_by_reference(const TexturedCase& c, const OrderedJob& job, std::uint32_t* rgba8) {
+  OrderedCounts counts;
+  FrameStats stats;
+  const glm::ivec2 begin(job.begin_x, job.begin_y), end(job.end_x, job.end_y);
+  const auto& shape = std::get<reference::Triangle>(c.piece.shape);
+  for_each_covered(shape, {c.tile_origin_px + begin, c.tile_origin_px + end}, c.sample_fx8, [&](glm::ivec2 px) {
+    ++counts.covered;
+    const glm::ivec2 in_tile = px - c.tile_origin_px;
+    const int place = place_in_tile(in_tile.x, in_tile.y);
+    const float depth = reference::depth_of(c.piece, reference::sample_position_fx8(px, c.sample_fx8));
+    if (job.depth_test && !(depth > job.tile->depth[place])) {
+      ++counts.depth_failed;
+      return;
+    }
+    const auto source = std::bit_cast<glm::u8vec4>(shaded(c, px, stats));
+    rgba8[place] = std::bit_cast<std::uint32_t>(
+        blend_rgba8(job.blend, source, std::bit_cast<glm::u8vec4>(rgba8[place])));
+    if (job.blend != Blend::none) ++counts.blended;
+  });
+  counts.shaded = stats.fragments_shaded;
+  counts.texels_read = stats.texels_read;
+  return counts;
+}
+
+TEST_P(TextureKernels, DrawOverATileAsTheReferenceDoes) {
+  std::uint64_t n_shaded = 0;
+  for (std::uint64_t seed = 0; seed < 250; ++seed) {
+    HashedNumbers random(seed + 1'000'000);
+    TexturedCase c;
+    if (!test::make_textured_case(random, c)) continue;
+    const TexturedTriangle triangle = make_textured(c.draw, c.piece, c.tile_origin_px);
+    Tile tile(random);
+    OrderedJob job;
+    job.triangle = &triangle;
+    if (random.below(2) == 0) {
+      job.begin_x = random.between(0, 127), job.begin_y = random.between(0, 127);
+      job.end_x = random.between(job.begin_x, 128), job.end_y = random.between(job.begin_y, 128);
+    } else {
+      job.end_x = job.end_y = kTile_px;
+    }
+    job.sample_x_fx8 = c.sample_fx8.x, job.sample_y_fx8 = c.sample_fx8.y;
+    job.depth_test = random.below(2) == 0;
+    job.blend = std::array{Blend::none, Blend::over, Blend::add}[random.below(3)];
+    job.tile = tile.buffers.get();
+
+    std::vector<std::uint32_t> expected(tile.rgba8->at, tile.rgba8->at + kTilePixels);
+    const OrderedCounts expected_counts = draw_by_reference(c, job, expected.data());
+    job.rgba8 = tile.rgba8->at;
+    OrderedCounts counts;
+    kernels_->draw_textured(job, counts);
+    for (int k = 0; k < kTilePixels; ++k) {
+      ASSERT_EQ(tile.rgba8->at[k], expected[std::size_t(k)]) << "seed " << seed << ", place " << k;
+    }
+    ASSERT_EQ(counts.covered, expected_counts.covered) << "seed " << seed;
+    ASSERT_EQ(counts.depth_failed, expected_counts.depth_failed) << "seed " << seed;
+    ASSERT_EQ(counts.shaded, expected_counts.shaded) << "seed " << seed;
+    ASSERT_EQ(counts.blended, expected_counts.blended) << "seed " << seed;
+    ASSERT_EQ(counts.texels_read, expected_counts.texels_read) << "seed " << seed;
+    n_shaded += counts.shaded;
+  }
+  EXPECT_GT(n_shaded, 100000u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, TextureKernels, testing::Values(Target::sse4, Target::avx2, Target::avx512),
