@@ -18,9 +18,9 @@ Owners::Key Owners::key(std::uint32_t owner) const {
   const Ids of_owner = ids(owner);
   if (owner & kPieceBit) {
     const Piece& p = piece(owner & ~kPieceBit);
-    return {of_owner.draw, of_owner.primitive, p.number, p.draw};
+    return {of_owner.draw, of_owner.primitive, p.number, p.draw, p.primitive};
   }
-  return {of_owner.draw, of_owner.primitive, 0, fast_draw(owner).draw};
+  return {of_owner.draw, of_owner.primitive, 0, fast_draw(owner).draw, primitive(owner)};
 }
 
 bool Owners::key_before(std::uint32_t a, std::uint32_t b) const { return b == kNoOwner || key(a) < key(b); }

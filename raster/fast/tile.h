@@ -81,7 +81,7 @@ class Owners {
 
  private:
   struct Key {
-    std::uint32_t draw_id, primitive_id, number, draw;
+    std::uint32_t draw_id, primitive_id, number, draw, primitive;  // the last where ids are overridden
     friend auto operator<=>(const Key&, const Key&) = default;
   };
   [[nodiscard]] Key key(std::uint32_t owner) const;

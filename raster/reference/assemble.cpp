@@ -82,7 +82,8 @@ class DrawAssembler {
     const PixelBox bounds = intersect(bounds_over_samples(shape, frame_), limits_);
     ++out_.stats.pieces;
     if (bounds.empty()) return;
-    out_.pieces.push_back({stored(shape), bounds, draw_index_, ids, number, vertices, n_vertices, front_facing});
+    out_.pieces.push_back({stored(shape), bounds, draw_index_, ids, number, vertices, n_vertices, front_facing,
+                           primitive_});
   }
 
   [[nodiscard]] bool not_finite(const glm::dvec3& p) {

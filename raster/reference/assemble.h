@@ -48,6 +48,7 @@ struct Piece {
   std::array<std::uint32_t, 3> vertices{0, 0, 0};  ///< whose attributes; in the order of the shape's weights
   int n_vertices = 1;
   bool front_facing = true;
+  std::uint32_t primitive = 0;  ///< index in the draw, whatever its id
 };
 
 /// Order-free ties: at equal depth the lower key wins, whatever the submission (C6).
