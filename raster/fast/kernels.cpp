@@ -7,10 +7,12 @@
 #include <hwy/foreach_target.h>
 
 #include "raster/fast/box-inl.h"
-#include "raster/fast/rasterize-inl.h"
 #include "raster/fast/depth-inl.h"
 #include "raster/fast/flat-inl.h"
+#include "raster/fast/ordered-inl.h"
+#include "raster/fast/rasterize-inl.h"
 #include "raster/fast/resolve-inl.h"
+#include "raster/fast/tint-inl.h"
 #include "raster/fast/vertices-inl.h"
 #include "raster/fast/write-inl.h"
 
@@ -33,7 +35,8 @@ constexpr Target kTarget = Target::scalar;
 #endif
 
 extern const Kernels kKernels;
-const Kernels kKernels = {kTarget, Look, Transform, Rasterize, RasterizeLone, Hidden, MakeRecords, ShadeRecords, ResolveRecords, WriteTile, ShadeFlat, StoreBytes};
+const Kernels kKernels = {kTarget,      Look,           Transform, Rasterize, RasterizeLone, Hidden,        MakeRecords,
+                          ShadeRecords, ResolveRecords, WriteTile, ShadeFlat, StoreBytes,    ShadeTextured, DrawTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "raster/clusters.h"
+#include "raster/fast/textured.h"
 #include "raster/frame.h"
 #include "raster/reference/primitive.h"
 #include "raster/render.h"
@@ -172,6 +173,21 @@ struct WriteJob {
   bool depths = false;  ///< what nothing owns becomes 0
 };
 
+/// A textured triangle of an ordered draw that writes no depth, over a tile.
+struct OrderedJob {
+  const TexturedTriangle* triangle = nullptr;
+  int begin_x = 0, begin_y = 0, end_x = 0, end_y = 0;  ///< pixels of the tile that may be written
+  int sample_x_fx8 = 128, sample_y_fx8 = 128;
+  bool depth_test = true;  ///< strictly nearer than the tile's depth passes
+  Blend blend = Blend::none;
+  const TileBuffers* tile = nullptr;
+  std::uint32_t* rgba8 = nullptr;  ///< [kTilePixels], places as place_in_tile, 64-byte aligned
+};
+
+struct OrderedCounts {
+  std::uint64_t covered = 0, depth_failed = 0, shaded = 0, blended = 0, texels_read = 0;
+};
+
 struct Kernels {
   Target target;
   /// Looks at the boxes of a group, or at one box.
@@ -196,6 +212,12 @@ struct Kernels {
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).
   void (*store_bytes)(const float* rgba, std::uint32_t* bytes);
+  /// Bytes [16] of a 4×4's samples in `lanes` (bit 4·y + x; at least one), each covered by the triangle; what the others
+  /// become is not said. x_fx8, y_fx8: the first sample, from the tile's corner. Returns how many texels were read.
+  std::uint64_t (*shade_textured)(const TexturedTriangle& triangle, int x_fx8, int y_fx8, std::uint32_t lanes,
+                                  std::uint32_t* bytes);
+  /// Draws the triangle's samples into the tile's colours and adds to the counts.
+  void (*draw_textured)(const OrderedJob& job, OrderedCounts& counts);
 };
 
 /// The kernels of a target (`best`: of the widest set that this processor has); null if it cannot run here.

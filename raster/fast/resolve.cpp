@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "raster/blend.h"
+#include "raster/fast/textured.h"
 #include "raster/fast/tile.h"
 #include "raster/reference/shade.h"
 
@@ -308,6 +309,8 @@ class Resolver {
       depths[n] = w_.tile->depth[base + k];
       pixels[n++] = box_.begin_px + glm::ivec2(x + int(k & 3), y + int(k >> 2));
     });
+    const std::uint32_t draw_index = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit).draw : owners_.fast_draw(owner).draw;
+    if (can_texture(scene_.frame->draws[draw_index], format_) && shade_textured(owner, x, y, base, lanes)) return lanes;
     Piece made;
     if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
     const Piece& p = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit) : made;
@@ -317,6 +320,24 @@ class Resolver {
     n = 0;
     for_each_lane(lanes, [&](std::uint32_t k) { store(base + k, rgba[n++]); });
     return lanes;
+  }
+
+  /// False if the owner is not a whole triangle.
+  bool shade_textured(std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
+    Textured& kept = textured_[owner % textured_.size()];
+    if (kept.owner != owner) {
+      Piece made;
+      if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
+      const Piece& p = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit) : made;
+      const auto* triangle = std::get_if<reference::Triangle>(&p.shape);
+      if (!triangle || triangle->polygon) return false;
+      kept = {owner, make_textured(scene_.frame->draws[p.draw], p, box_.begin_px)};
+    }
+    std::array<std::uint32_t, 16> bytes;
+    w_.stats.texels_read += scene_.kernels->shade_textured(kept.triangle, x * 256 + sample_fx8_.x, y * 256 + sample_fx8_.y,
+                                                           lanes, bytes.data());
+    for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
+    return true;
   }
 
   void store(std::size_t i, const glm::vec4& rgba) {
@@ -384,6 +405,11 @@ class Resolver {
   std::size_t n_doubtful_ = 0;
   std::array<std::pair<std::uint32_t, std::uint32_t>, 8> recent_;  // piece and record
   std::size_t next_recent_ = 0;
+  struct Textured {
+    std::uint32_t owner = kNoOwner;
+    TexturedTriangle triangle;
+  };
+  std::array<Textured, 16> textured_;  ///< kept while their neighbours ask for them
 };
 
 }  // namespace

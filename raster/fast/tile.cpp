@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "raster/blend.h"
+#include "raster/fast/textured.h"
 #include "raster/reference/shade.h"
 
 namespace lode::raster::fast {
@@ -29,7 +30,7 @@ class TileDrawer {
       draw_clusters();
       resolve(scene_, w_, image_, box_, sample_fx8_);
       for (const std::uint32_t i : scene_.row(row_)) {
-        if (touches(i) && !draw_of(i).order_free()) draw_ordered(i);
+        if (touches(i) && !draw_of(i).order_free()) draw_in_order(i);
       }
       if (n_samples > 1) accumulate(k == 0);
     }
@@ -262,6 +263,32 @@ class TileDrawer {
     });
   }
 
+  void draw_in_order(std::uint32_t index) {
+    const Piece& p = owners_.piece(index);
+    const auto* triangle = std::get_if<reference::Triangle>(&p.shape);
+    const bool by_kernel = triangle && !triangle->polygon && has_color_ && can_draw_textured(draw_of(index), format_) &&
+                           !(scene_.options->ids_from_ordered_draws && !image_.ids.empty());
+    if (!by_kernel) return draw_ordered(index);
+    const TexturedTriangle textured = make_textured(draw_of(index), p, box_.begin_px);
+    const PixelBox window = intersect(p.bounds_px, box_);
+    OrderedJob job;
+    job.triangle = &textured;
+    job.begin_x = window.begin_px.x - box_.begin_px.x, job.begin_y = window.begin_px.y - box_.begin_px.y;
+    job.end_x = window.end_px.x - box_.begin_px.x, job.end_y = window.end_px.y - box_.begin_px.y;
+    job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
+    job.depth_test = draw_of(index).depth_test;
+    job.blend = draw_of(index).blend;
+    job.tile = w_.tile.get();
+    job.rgba8 = reinterpret_cast<std::uint32_t*>(w_.rgba8.data());
+    OrderedCounts counts;
+    scene_.kernels->draw_textured(job, counts);
+    w_.stats.fragments_covered += counts.covered;
+    w_.stats.fragments_depth_failed += counts.depth_failed;
+    w_.stats.fragments_shaded += counts.shaded;
+    w_.stats.fragments_blended += counts.blended;
+    w_.stats.texels_read += counts.texels_read;
+  }
+
   /// Ordered draws test against depth as it then stands: strictly nearer passes; the clear always loses.
   void draw_ordered(std::uint32_t index) {
     const Piece& p = owners_.piece(index);
@@ -366,7 +393,8 @@ void Worker::prepare(const Scene& scene, const Image& image) {
   const std::size_t n = kTilePixels;
   const bool several = scene.frame->samples_fx8.size() > 1;
   ids.resize(image.ids.empty() ? 0 : n);
-  rgba8.resize(image.rgba8.empty() ? 0 : n);
+  if (!image.rgba8.empty() && !bytes) bytes = std::make_unique_for_overwrite<TileBytes>();
+  rgba8 = image.rgba8.empty() ? std::span<glm::u8vec4>() : std::span(bytes->rgba8);
   rgba32f.resize(image.rgba32f.empty() ? 0 : n);
   sum_rgba8.resize(several ? rgba8.size() : 0);
   sum_rgba32f.resize(several ? rgba32f.size() : 0);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "raster/fast/scene.h"
@@ -32,6 +33,10 @@ struct Waiting {
   }
 };
 
+struct TileBytes {
+  alignas(64) glm::u8vec4 rgba8[kTilePixels];
+};
+
 /// Memory of a worker, allocated before the first tile, so that no tile can fail. Most of it is never touched.
 struct Worker {
   std::unique_ptr<TileBuffers> tile;
@@ -45,7 +50,8 @@ struct Worker {
   std::unique_ptr<ColorRecord[]> records;          ///< [kMostRecords]
   std::unique_ptr<Doubtful[]> doubtful;            ///< [kTilePixels]
   std::vector<Ids> ids;
-  std::vector<glm::u8vec4> rgba8;
+  std::unique_ptr<TileBytes> bytes;
+  std::span<glm::u8vec4> rgba8;                    ///< in `bytes`; empty if the image has none
   std::vector<glm::vec4> rgba32f;
   std::vector<glm::uvec4> sum_rgba8;     ///< over samples, if there are several
   std::vector<glm::dvec4> sum_rgba32f;

@@ -1,0 +1,247 @@
+// Textured triangles: coordinates, levels of detail and colours of a 4×4's samples (C7, C10).
+// Compiled once for each instruction set (Highway's re-included headers).
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "raster/fast/kernels.h"
+
+#if defined(LODE_RASTER_FAST_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LODE_RASTER_FAST_TEXTURE_INL_H_
+#undef LODE_RASTER_FAST_TEXTURE_INL_H_
+#else
+#define LODE_RASTER_FAST_TEXTURE_INL_H_
+#endif
+
+#include "raster/fast/flat-inl.h"
+#include "raster/fast/texels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lode::raster::fast {
+namespace HWY_NAMESPACE {
+
+/// One bit for each lane of Ints that is not 0.
+HWY_INLINE std::uint32_t BitsOf(I lanes) {
+  const Ints di;
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(di, hn::Ne(lanes, hn::Zero(di)), bytes);
+  return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+}
+
+/// One bit of `lanes` for each lane of Ints.
+HWY_INLINE hn::Mask<Ints> LanesOf(std::uint32_t lanes) {
+  const Ints di;
+  const auto bit = hn::Shl(hn::Set(di, 1), hn::Iota(di, 0));
+  return hn::Ne(hn::And(hn::Set(di, std::int32_t(lanes)), bit), hn::Zero(di));
+}
+
+/// 128·log2(m) of the mantissas m in [1, 2): z·q(z), z = m − 1, q interpolating at Chebyshev's nodes. Off by at most
+/// 2^-14.4 over all 2^23 mantissas (compared with a double logarithm, one by one).
+HWY_INLINE hn::Vec<Floats> Log2OfMantissa(hn::Vec<Floats> z) {
+  const Floats f;
+  constexpr float kQ[8] = {0x1.715472p+7f, -0x1.714f1ep+6f, 0x1.eb8862p+5f, -0x1.699218p+5f,
+                           0x1.054cf2p+5f, -0x1.3bb40cp+4f, 0x1.01048p+3f,  -0x1.8bbd64p+0f};
+  auto sum = hn::Set(f, kQ[7]);
+  for (int i = 6; i >= 0; --i) sum = hn::Add(hn::Mul(sum, z), hn::Set(f, kQ[i]));
+  return hn::Mul(sum, z);
+}
+
+/// Levels of detail, 8.8, clamped to [0, top]; `doubtful` where single precision cannot tell: ρ² is off by 9 roundings
+/// (2^-20.8, which is 2^-13.3 of 128·log2) and the logarithm by 2^-14.4, together less than the 2^-12 in margin_lambda.
+HWY_INLINE I Lambda(const TexturedTriangle& t, hn::Vec<Floats> rho_squared, std::int32_t top, I& doubtful) {
+  const Ints di;
+  const Floats f;
+  const auto bits = hn::BitCast(di, rho_squared);
+  const auto exponent = hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127));
+  const auto mantissa = hn::BitCast(f, hn::Or(hn::And(bits, hn::Set(di, 0x7FFFFF)), hn::Set(di, 0x3F800000)));
+  const auto log = Log2OfMantissa(hn::Sub(mantissa, hn::Set(f, 1.0f)));
+  const auto whole = hn::NearestInt(log);
+  const auto lambda = hn::Add(hn::ShiftLeft<7>(exponent), whole);
+  const auto from_whole = hn::Abs(hn::Sub(log, hn::ConvertTo(f, whole)));
+  const auto near = hn::RebindMask(di, hn::Gt(from_whole, hn::Set(f, 0.5f - t.margin_lambda)));
+  // Below 0 and above the top one more or less changes nothing.
+  const auto used = hn::And(hn::Gt(lambda, hn::Set(di, -1)), hn::Lt(lambda, hn::Set(di, top + 1)));
+  doubtful = hn::Or(doubtful, hn::VecFromMask(di, hn::And(near, used)));
+  return hn::Min(hn::Max(lambda, hn::Zero(di)), hn::Set(di, top));
+}
+
+/// Squares of the derivatives' numerators at a 4×4: [4] along x, by row; [4] along y, by column.
+struct Slopes {
+  alignas(16) float along_x[4], along_y[4];
+};
+HWY_INLINE Slopes SlopesAt(const TexturedTriangle& t, double x_px, double y_px) {
+  const hn::CappedTag<double, 4> d;
+  const hn::Rebind<float, decltype(d)> f;
+  Slopes s;
+  const auto squares = [&](std::size_t k, double start, float* out) HWY_ATTR {
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      const auto at = hn::Add(hn::Set(d, start), hn::Iota(d, double(i)));
+      const auto du = hn::Add(hn::Set(d, t.slope[k]), hn::Mul(hn::Set(d, t.slope_step[k]), at));
+      const auto dv = hn::Add(hn::Set(d, t.slope[k + 1]), hn::Mul(hn::Set(d, t.slope_step[k + 1]), at));
+      hn::StoreU(hn::DemoteTo(f, hn::Add(hn::Mul(du, du), hn::Mul(dv, dv))), f, out + i);
+    }
+  };
+  squares(0, y_px, s.along_x);
+  squares(2, x_px, s.along_y);
+  return s;
+}
+
+/// Coordinates of as many samples as Ints has lanes, from lane `first` of a 4×4 on.
+struct Coordinates {
+  TwoHalves u, v;
+  hn::Vec<Floats> inverse_sum;  ///< if the levels vary
+};
+HWY_INLINE Coordinates CoordinatesAt(const TexturedTriangle& t, double x_px, double y_px, std::size_t first) {
+  const Doubles d;
+  const hn::Rebind<float, Doubles> half;
+  const auto plane = [&](const Plane& p, const std::array<double, 16>& lane) HWY_ATTR {
+    const auto base = hn::Set(d, p.x * x_px + p.y * y_px + p.c);
+    return TwoHalves{hn::Add(base, hn::Load(d, &lane[first])), hn::Add(base, hn::Load(d, &lane[first + hn::Lanes(d)]))};
+  };
+  Coordinates c;
+  c.u = plane(t.u, t.lane_u);
+  c.v = plane(t.v, t.lane_v);
+  if (t.affine) {
+    c.inverse_sum = hn::Zero(Floats());
+    return c;
+  }
+  const TwoHalves r =
+      Each(plane(t.sum, t.lane_sum), [&](D sum) HWY_ATTR { return hn::Div(hn::Set(d, 1.0), sum); });
+  c.u = {hn::Mul(c.u.low, r.low), hn::Mul(c.u.high, r.high)};
+  c.v = {hn::Mul(c.v.low, r.low), hn::Mul(c.v.high, r.high)};
+  c.inverse_sum = hn::Combine(Floats(), hn::DemoteTo(half, r.high), hn::DemoteTo(half, r.low));
+  return c;
+}
+
+HWY_INLINE Sums LevelSums(const TexturedTriangle& t, std::int32_t level, const Coordinates& w, I& doubtful) {
+  const TextureLevel& l = t.texture->levels[std::size_t(level)];
+  const Axis x_axis = MakeAxis(l.size_px.x, 256 * l.size_px.x, t.sampler.wrap_u);
+  const Axis y_axis = MakeAxis(l.size_px.y, 256 * l.size_px.y, t.sampler.wrap_v);
+  const Pair x = LinearTexels(x_axis, w.u, t.margin_fx31, doubtful);
+  const Pair y = LinearTexels(y_axis, w.v, t.margin_fx31, doubtful);
+  const auto* texels = reinterpret_cast<const std::int32_t*>(l.raw.data());
+  return Filtered(Fetch({texels, l.size_px.x, l.size_px.y}, x, y), x.second_weight, y.second_weight);
+}
+
+HWY_INLINE U NearestTexels(const TexturedTriangle& t, const Coordinates& w, I& doubtful) {
+  const Ints di;
+  const TextureLevel& l = t.texture->levels[0];
+  const I x = NearestTexel(MakeAxis(l.size_px.x, l.size_px.x, t.sampler.wrap_u), w.u, t.margin_fx31, doubtful);
+  const I y = NearestTexel(MakeAxis(l.size_px.y, l.size_px.y, t.sampler.wrap_v), w.v, t.margin_fx31, doubtful);
+  const auto* texels = reinterpret_cast<const std::int32_t*>(l.raw.data());
+  return hn::BitCast(Uints(), hn::GatherIndex(di, texels, hn::Add(hn::Mul(y, hn::Set(di, l.size_px.x)), x)));
+}
+
+/// One level for all of the lanes, and the next with weight `f`, if any lane's is not 0.
+HWY_INLINE U TwoLevels(const TexturedTriangle& t, std::int32_t level, I f, hn::Mask<Ints> lanes, const Coordinates& w,
+                       I& doubtful) {
+  const Ints di;
+  const Sums a = LevelSums(t, level, w, doubtful);
+  if (hn::AllTrue(di, hn::Or(hn::Eq(f, hn::Zero(di)), hn::Not(lanes)))) return Rounded(a);
+  return RoundedBlend(a, LevelSums(t, level + 1, w, doubtful), f);
+}
+
+/// Texels of some lanes of a 4×4 and how many were read for those that are not doubtful.
+struct Shaded {
+  U texels;
+  std::uint32_t doubtful;
+  std::uint32_t n_read;
+};
+
+/// In perspective each sample has levels of its own; most often all of a 4×4 have the same ones.
+HWY_INLINE U VaryingLevels(const TexturedTriangle& t, const Slopes& slopes, std::size_t first, hn::Mask<Ints> lanes,
+                           const Coordinates& w, I& doubtful, std::uint32_t& second_levels) {
+  const Ints di;
+  const Floats f;
+  const auto row = hn::SetTableIndices(f, kLaneY + first);
+  const auto most = hn::Max(hn::TableLookupLanes(hn::LoadDup128(f, slopes.along_x), row),
+                            hn::LoadDup128(f, slopes.along_y));
+  const auto r2 = hn::Mul(w.inverse_sum, w.inverse_sum);
+  const std::int32_t top = 256 * (std::int32_t(t.texture->levels.size()) - 1);
+  const I lambda = Lambda(t, hn::Mul(most, hn::Mul(r2, r2)), top, doubtful);
+  const I fraction = hn::And(lambda, hn::Set(di, 255));
+  second_levels = BitsOf(fraction);
+  const I level = hn::ShiftRight<8>(lambda);
+  const auto low = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(lanes, level, hn::Set(di, top))));
+  const auto high = hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElseZero(lanes, level)));
+  U texels = hn::Zero(Uints());
+  for (std::int32_t l = low; l <= high; ++l) {
+    const auto here = hn::And(lanes, hn::Eq(level, hn::Set(di, l)));
+    if (hn::AllFalse(di, here)) continue;
+    I doubt = hn::Zero(di);
+    const U of_level = TwoLevels(t, l, fraction, here, w, doubt);
+    doubtful = hn::Or(doubtful, hn::IfThenElseZero(here, doubt));
+    texels = hn::IfThenElse(hn::RebindMask(Uints(), here), of_level, texels);
+  }
+  return texels;
+}
+
+/// Samples [first, first + lanes of Ints) of the 4×4 whose first one is at (x_px, y_px).
+HWY_INLINE Shaded TexelsAt(const TexturedTriangle& t, double x_px, double y_px, const Slopes& slopes,
+                           std::size_t first, std::uint32_t lanes) {
+  const Ints di;
+  I doubtful = hn::Zero(di);
+  Coordinates w = CoordinatesAt(t, x_px, y_px, first);
+  w.u = Wrapped(w.u, t.sampler.wrap_u);
+  w.v = Wrapped(w.v, t.sampler.wrap_v);
+  U texels;
+  std::uint32_t per_sample = 4, second_levels = 0;
+  if (t.sampler.filter == Filter::nearest) {
+    texels = NearestTexels(t, w, doubtful);
+    per_sample = 1;
+  } else if (t.levels_vary) {
+    texels = VaryingLevels(t, slopes, first, LanesOf(lanes), w, doubtful, second_levels);
+  } else {
+    const std::int32_t f = t.levels.second_weight_fx8;
+    texels = TwoLevels(t, t.levels.level, hn::Set(di, f), LanesOf(lanes), w, doubtful);
+    second_levels = f > 0 ? ~0u : 0u;
+  }
+  const std::uint32_t doubts = BitsOf(doubtful) & lanes, sure = lanes & ~doubts;
+  return {texels, doubts,
+          per_sample * std::uint32_t(std::popcount(sure)) + 4 * std::uint32_t(std::popcount(sure & second_levels))};
+}
+
+/// The reference's texels of a 4×4's samples in `lanes`; returns how many it read.
+HWY_INLINE std::uint64_t ExactTexels(const TexturedTriangle& t, int x_fx8, int y_fx8, std::uint32_t lanes,
+                                     std::uint32_t* bytes) {
+  std::uint64_t n_read = 0;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int k = std::countr_zero(lanes);
+    bytes[k] = exact_texel(t, {x_fx8 + 256 * (k & 3), y_fx8 + 256 * (k >> 2)}, &n_read);
+  }
+  return n_read;
+}
+
+/// The texels of a 4×4's samples in `lanes`; returns how many were read.
+HWY_INLINE std::uint64_t TexelsOf(const TexturedTriangle& t, int x_fx8, int y_fx8, std::uint32_t lanes,
+                                  std::uint32_t* bytes) {
+  std::uint64_t n_read = 0;
+  std::uint32_t doubtful = 0;
+  if (t.bounded) {
+    const double x_px = x_fx8 / 256.0, y_px = y_fx8 / 256.0;
+    Slopes slopes;
+    if (t.levels_vary) slopes = SlopesAt(t, x_px, y_px);
+    constexpr std::uint32_t kAll = (1u << hn::MaxLanes(Ints())) - 1;
+    for (std::size_t first = 0; first < 16; first += hn::Lanes(Ints())) {
+      const std::uint32_t here = lanes >> first & kAll;
+      if (here == 0) continue;
+      const Shaded s = TexelsAt(t, x_px, y_px, slopes, first, here);
+      hn::StoreU(s.texels, Uints(), bytes + first);
+      n_read += s.n_read;
+      doubtful |= s.doubtful << first;
+    }
+  } else {
+    doubtful = lanes;
+  }
+  if (HWY_UNLIKELY(doubtful != 0)) n_read += ExactTexels(t, x_fx8, y_fx8, doubtful, bytes);
+  return n_read;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace lode::raster::fast
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

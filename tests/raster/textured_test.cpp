@@ -1,0 +1,160 @@
+/// The texture kernels give the reference pipeline's bytes and counts, on every target that runs here.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <memory>
+#include <vector>
+
+#include "raster/blend.h"
+#include "raster/reference/shade.h"
+#include "textured_cases.h"
+
+namespace lode::raster::fast {
+namespace {
+
+using test::HashedNumbers;
+using test::TexturedCase;
+
+class TextureKernels : public testing::TestWithParam<Target> {
+ protected:
+  void SetUp() override {
+    kernels_ = find_kernels(GetParam());
+    if (!kernels_) GTEST_SKIP() << "this processor lacks the target";
+  }
+  const Kernels* kernels_ = nullptr;
+};
+
+/// Samples of a 4×4 that the triangle covers.
+std::uint32_t covered_lanes(const TexturedCase& c, glm::ivec2 first_px) {
+  std::uint32_t lanes = 0;
+  const auto& shape = std::get<reference::Triangle>(c.piece.shape);
+  for_each_covered(shape, {first_px, first_px + 4}, c.sample_fx8, [&](glm::ivec2 px) {
+    lanes |= 1u << (4 * (px.y - first_px.y) + (px.x - first_px.x));
+  });
+  return lanes;
+}
+
+/// The reference's bytes at one sample.
+std::uint32_t shaded(const TexturedCase& c, glm::ivec2 px, FrameStats& stats) {
+  const float depth = 0.0f;
+  glm::vec4 rgba;
+  reference::shade(c.draw, c.piece, ColorFormat::rgba8, {{&px, 1}, {&depth, 1}, c.sample_fx8}, &rgba, stats);
+  return std::bit_cast<std::uint32_t>(store_rgba8(rgba));
+}
+
+TEST_P(TextureKernels, ShadeA4x4AsTheReferenceDoes) {
+  int n_samples = 0;
+  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+    HashedNumbers random(seed);
+    TexturedCase c;
+    if (!test::make_textured_case(random, c)) continue;
+    ASSERT_TRUE(can_texture(c.draw, ColorFormat::rgba8));
+    const TexturedTriangle triangle = make_textured(c.draw, c.piece, c.tile_origin_px);
+    for (int i = 0; i < 12; ++i) {
+      const glm::ivec2 place = {4 * random.between(0, 31), 4 * random.between(0, 31)};
+      const glm::ivec2 first_px = c.tile_origin_px + place;
+      const std::uint32_t lanes = covered_lanes(c, first_px);
+      if (lanes == 0) continue;
+      std::array<std::uint32_t, 16> bytes{};
+      const std::uint64_t n_read = kernels_->shade_textured(triangle, place.x * 256 + c.sample_fx8.x,
+                                                            place.y * 256 + c.sample_fx8.y, lanes, bytes.data());
+      FrameStats stats;
+      for (int k = 0; k < 16; ++k) {
+        if (!(lanes >> k & 1)) continue;
+        ++n_samples;
+        ASSERT_EQ(bytes[std::size_t(k)], shaded(c, first_px + glm::ivec2(k & 3, k >> 2), stats))
+            << "seed " << seed << ", lane " << k << " at " << first_px.x << ", " << first_px.y;
+      }
+      ASSERT_EQ(n_read, stats.texels_read) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(n_samples, 100000);
+}
+
+/// A tile with random colours; depths random or, in whole quarters, of nothing yet.
+struct Tile {
+  explicit Tile(HashedNumbers& random) : rgba8(std::make_unique<Bytes>()), buffers(std::make_unique<TileBuffers>()) {
+    for (int k = 0; k < kTilePixels; ++k) {
+      rgba8->at[k] = std::uint32_t(random.bits());
+      buffers->depth[k] = (k >> 4) % 3 == 0 ? -1.0f : float(random.unit());
+    }
+  }
+  struct Bytes {
+    alignas(64) std::uint32_t at[kTilePixels];
+  };
+  std::unique_ptr<Bytes> rgba8;
+  std::unique_ptr<TileBuffers> buffers;
+};
+
+/// The same by the reference's functions, sample by sample.
+OrderedCounts draw_by_reference(const TexturedCase& c, const OrderedJob& job, std::uint32_t* rgba8) {
+  OrderedCounts counts;
+  FrameStats stats;
+  const glm::ivec2 begin(job.begin_x, job.begin_y), end(job.end_x, job.end_y);
+  const auto& shape = std::get<reference::Triangle>(c.piece.shape);
+  for_each_covered(shape, {c.tile_origin_px + begin, c.tile_origin_px + end}, c.sample_fx8, [&](glm::ivec2 px) {
+    ++counts.covered;
+    const glm::ivec2 in_tile = px - c.tile_origin_px;
+    const int place = place_in_tile(in_tile.x, in_tile.y);
+    const float depth = reference::depth_of(c.piece, reference::sample_position_fx8(px, c.sample_fx8));
+    if (job.depth_test && !(depth > job.tile->depth[place])) {
+      ++counts.depth_failed;
+      return;
+    }
+    const auto source = std::bit_cast<glm::u8vec4>(shaded(c, px, stats));
+    rgba8[place] = std::bit_cast<std::uint32_t>(
+        blend_rgba8(job.blend, source, std::bit_cast<glm::u8vec4>(rgba8[place])));
+    if (job.blend != Blend::none) ++counts.blended;
+  });
+  counts.shaded = stats.fragments_shaded;
+  counts.texels_read = stats.texels_read;
+  return counts;
+}
+
+TEST_P(TextureKernels, DrawOverATileAsTheReferenceDoes) {
+  std::uint64_t n_shaded = 0;
+  for (std::uint64_t seed = 0; seed < 250; ++seed) {
+    HashedNumbers random(seed + 1'000'000);
+    TexturedCase c;
+    if (!test::make_textured_case(random, c)) continue;
+    const TexturedTriangle triangle = make_textured(c.draw, c.piece, c.tile_origin_px);
+    Tile tile(random);
+    OrderedJob job;
+    job.triangle = &triangle;
+    if (random.below(2) == 0) {
+      job.begin_x = random.between(0, 127), job.begin_y = random.between(0, 127);
+      job.end_x = random.between(job.begin_x, 128), job.end_y = random.between(job.begin_y, 128);
+    } else {
+      job.end_x = job.end_y = kTile_px;
+    }
+    job.sample_x_fx8 = c.sample_fx8.x, job.sample_y_fx8 = c.sample_fx8.y;
+    job.depth_test = random.below(2) == 0;
+    job.blend = std::array{Blend::none, Blend::over, Blend::add}[random.below(3)];
+    job.tile = tile.buffers.get();
+
+    std::vector<std::uint32_t> expected(tile.rgba8->at, tile.rgba8->at + kTilePixels);
+    const OrderedCounts expected_counts = draw_by_reference(c, job, expected.data());
+    job.rgba8 = tile.rgba8->at;
+    OrderedCounts counts;
+    kernels_->draw_textured(job, counts);
+    for (int k = 0; k < kTilePixels; ++k) {
+      ASSERT_EQ(tile.rgba8->at[k], expected[std::size_t(k)]) << "seed " << seed << ", place " << k;
+    }
+    ASSERT_EQ(counts.covered, expected_counts.covered) << "seed " << seed;
+    ASSERT_EQ(counts.depth_failed, expected_counts.depth_failed) << "seed " << seed;
+    ASSERT_EQ(counts.shaded, expected_counts.shaded) << "seed " << seed;
+    ASSERT_EQ(counts.blended, expected_counts.blended) << "seed " << seed;
+    ASSERT_EQ(counts.texels_read, expected_counts.texels_read) << "seed " << seed;
+    n_shaded += counts.shaded;
+  }
+  EXPECT_GT(n_shaded, 100000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, TextureKernels, testing::Values(Target::sse4, Target::avx2, Target::avx512),
+                         [](const auto& info) {
+                           return info.param == Target::sse4 ? "sse4" : info.param == Target::avx2 ? "avx2" : "avx512";
+                         });
+
+}  // namespace
+}  // namespace lode::raster::fast
