@@ -30,11 +30,11 @@ struct AffineAxis {
   std::int32_t size_px;
   int spare_bits;
   double scale;
-  std::int32_t least, most;        ///< of `lane`
-  std::int64_t quarter[4];         ///< what the coordinate gains from an 8×8's first sample to its 4×4s', rounded
+  std::int32_t least, most;  ///< of `lane`
+  std::int64_t quarter[4];   ///< what the coordinate gains from an 8×8's first sample to its 4×4s', rounded
   std::int64_t least_8x8, most_8x8;
   alignas(64) std::int32_t lane[16];  ///< what the coordinate gains within a 4×4, rounded to nearest
-  bool narrow;                     ///< a 4×4's first texels span at most kWindow_px − 1 texels
+  bool narrow;                        ///< a 4×4's first texels span at most kWindow_px − 1 texels
 };
 
 HWY_INLINE void SetAffineAxis(const Plane& plane, const std::array<double, 16>& lane, std::int32_t size_px, Wrap wrap,

@@ -147,8 +147,8 @@ struct OrderedPainter {
         hn::Store(texels, du, bytes + lane);
         const std::uint32_t doubts = BitsOf(doubtful) << lane;
         n_exact += std::uint64_t(std::popcount(doubts));
-        counts.texels_read += ExactTexels(t, x_fx8 + 1024 * int(quarter & 1), y_fx8 + 1024 * int(quarter >> 1), doubts,
-                                          bytes);
+        counts.texels_read +=
+            ExactTexels(t, x_fx8 + 1024 * int(quarter & 1), y_fx8 + 1024 * int(quarter >> 1), doubts, bytes);
         texels = hn::Load(du, bytes + lane);
       }
       hn::Store(Blended(job.blend, texels, hn::Load(du, rgba8 + k)), du, rgba8 + k);
