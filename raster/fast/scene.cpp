@@ -62,8 +62,11 @@ void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport&
   std::array<reference::WindowVertex, kMaxClusterVertices> window;
   std::array<bool, kMaxClusterVertices> whole;
   for (std::size_t i = 0; i < cluster.n_vertices; ++i) {
-    const glm::dvec4 p = reference::clip_position(draw.vertices, all.vertices[cluster.first_vertex + i]);
-    whole[i] = !reference::has_nan(p) && reference::outside_planes(viewport, p) == 0;
+    const std::size_t at = cluster.first_vertex + i;
+    const glm::dvec4 p = reference::clip_position(draw.vertices, all.vertices[at]);
+    // The kernels do not know how infinite coordinates are read.
+    const bool finite = std::isfinite(all.x[at]) && std::isfinite(all.y[at]) && std::isfinite(all.z[at]);
+    whole[i] = finite && !reference::has_nan(p) && reference::outside_planes(viewport, p) == 0;
     if (whole[i]) window[i] = reference::window_vertex(viewport, p);
   }
   UncleanCluster unclean;
@@ -106,6 +109,9 @@ void find_unclean(const Scene& scene, FastDraw& fast, const reference::Viewport&
 
 /// Where the whole draw is.
 void look_at_draw(const Scene& scene, FastDraw& fast) {
+  fast.pixels = {};
+  fast.nearest = 2.0f;
+  if (fast.clusters->groups.empty()) return;
   ClusterGroup box{};
   for (int axis = 0; axis < 3; ++axis) box.low[axis][0] = fast.clusters->low[axis], box.high[axis][0] = fast.clusters->high[axis];
   box.n = 1;
@@ -113,9 +119,8 @@ void look_at_draw(const Scene& scene, FastDraw& fast) {
   Skips skips = scene.options->skips;
   skips.facing = false;
   scene.kernels->look(fast.view, box, {{0, 0}, scene.size_px}, skips, sights.data());
+  if (sights[0].sight == Sight::outside) return;
   fast.pixels = fast.limits;
-  fast.nearest = 2.0f;
-  if (sights[0].sight == Sight::outside) fast.pixels = {};
   if (sights[0].sight != Sight::clean) return;
   fast.nearest = sights[0].nearest;
   fast.pixels = intersect(sights[0].pixels, fast.limits);
@@ -156,7 +161,7 @@ void add_draw(std::uint32_t d, ColorFormat format, int threads, Scene& scene) {
   set_colors(draw, format, fast);
   ++scene.stats.draws_in;
   look_at_draw(scene, fast);
-  if (!fast.clusters->groups.empty() && !fast.pixels.empty()) {
+  if (!fast.pixels.empty()) {
     const auto viewport = reference::make_viewport(scene.frame->viewport.value_or(Rect{{0, 0}, scene.size_px}));
     find_unclean(scene, fast, viewport, 0);
   }

@@ -1,0 +1,40 @@
+// The fast pipeline against the reference at full counts: 10^5 random frames of mixed primitives and states at the best
+// target and two threads, 10^3 of them over every target, {1, 2, 3, 7, 16} threads and every choice of skips.
+#include <atomic>
+
+#include "fast_equality.h"
+#include "raster/parallel.h"
+#include "stress_count.h"
+
+namespace lode::raster::test {
+namespace {
+
+constexpr int kMostFailures = 5;  // printed, each bisected
+
+/// check(seed, memory) for seeds [0, n), on all processors, until there are enough failures.
+template <class Check>
+void for_seeds(std::uint64_t n, Check check) {
+  std::atomic<int> n_failed = 0;
+  const int workers = worker_count(0);
+  std::vector<FrameMemory> memories{std::size_t(workers)};
+  parallel_for((n + 15) / 16, workers, [&](std::size_t chunk, int worker) {
+    for (std::uint64_t seed = 16 * chunk; seed < std::min<std::uint64_t>(16 * chunk + 16, n); ++seed) {
+      if (n_failed < kMostFailures && !check(seed, memories[std::size_t(worker)])) ++n_failed;
+    }
+  });
+}
+
+TEST(FastEqualityStress, OfRandomFramesWithTheReference) {
+  for_seeds(stress_count("random frames", 100'000, 1'000'000), [](std::uint64_t seed, FrameMemory& memory) {
+    return expect_same_as_reference(seed, seed % 64 == 63 ? FrameSize::several_tiles : FrameSize::one_tile, memory);
+  });
+}
+
+TEST(FastEqualityStress, OnEveryTargetWithAnyThreadsAndSkips) {
+  for_seeds(stress_count("random frames every way", 1'000, 10'000), [](std::uint64_t seed, FrameMemory& memory) {
+    return expect_same_every_way(seed, seed % 8 == 7 ? FrameSize::several_tiles : FrameSize::one_tile, memory);
+  });
+}
+
+}  // namespace
+}  // namespace lode::raster::test
