@@ -30,9 +30,11 @@ struct AffineAxis {
   std::int32_t size_px;
   int spare_bits;
   double scale;
-  std::int32_t least, most;        ///< of `lane`
+  std::int32_t least, most;  ///< of `lane`
+  std::int64_t quarter[4];   ///< what the coordinate gains from an 8×8's first sample to its 4×4s', rounded
+  std::int64_t least_8x8, most_8x8;
   alignas(64) std::int32_t lane[16];  ///< what the coordinate gains within a 4×4, rounded to nearest
-  bool narrow;                     ///< a 4×4's first texels span at most kWindow_px − 1 texels
+  bool narrow;                        ///< a 4×4's first texels span at most kWindow_px − 1 texels
 };
 
 HWY_INLINE void SetAffineAxis(const Plane& plane, const std::array<double, 16>& lane, std::int32_t size_px, Wrap wrap,
@@ -51,32 +53,40 @@ HWY_INLINE void SetAffineAxis(const Plane& plane, const std::array<double, 16>& 
   for (std::size_t i = 0; i < 16; ++i) a.lane[i] = std::int32_t(std::rint(lane[i] * a.scale));
   a.least = std::int32_t(std::rint(*low * a.scale));
   a.most = std::int32_t(std::rint(*high * a.scale));
+  for (int i = 0; i < 4; ++i) {
+    a.quarter[i] = std::int64_t(std::rint(4.0 * (plane.x * (i & 1) + plane.y * (i >> 1)) * a.scale));
+  }
+  const auto [first, last] = std::minmax_element(std::begin(a.quarter), std::end(a.quarter));
+  a.least_8x8 = *first + a.least;
+  a.most_8x8 = *last + a.most;
 }
 
-/// Where a 4×4 reads: the first sample's coordinate from the window's first texel's centre, plus half of a 1/256 texel.
-struct AffinePlace {
-  std::int32_t window_px;
-  std::int32_t start;
-};
-
-/// False where the 4×4 leaves the picture, or is mirrored: wrapping is up to others.
-HWY_INLINE bool PlaceAt(const AffineAxis& a, double x_px, double y_px, AffinePlace& place) {
+/// The coordinate of a block's first sample from the centre of texel 0, plus half of a 1/256 texel.
+///   least, most   of what it gains within the block
+/// False where the block leaves the picture, or is mirrored: wrapping is up to others.
+HWY_INLINE bool StartAt(const AffineAxis& a, double x_px, double y_px, std::int64_t least, std::int64_t most,
+                        std::int64_t& start) {
   double u = a.plane.x * x_px + a.plane.y * y_px + a.plane.c;
   if (a.wrap == Wrap::repeat) u -= std::floor(u);
   if (a.wrap == Wrap::mirror) u -= 2.0 * std::floor(0.5 * u);
   if (!(u >= 0.0 && u < 1.0)) return false;
-  const int texel_bits = a.spare_bits + 8;
-  const auto start = std::int64_t(u * a.scale + 0.5) + (std::int64_t(1) << (a.spare_bits - 1)) -
-                     (std::int64_t(128) << a.spare_bits);
-  const auto left = std::int32_t((start + a.least) >> texel_bits), right = std::int32_t((start + a.most) >> texel_bits);
-  if (left < 0 || right > a.size_px - 2) return false;
-  place.window_px = std::min(left, a.size_px - kWindow_px);
-  place.start = std::int32_t(start - (std::int64_t(place.window_px) << texel_bits));
-  return true;
+  start = std::int64_t(u * a.scale + 0.5) - (std::int64_t(255) << (a.spare_bits - 1));
+  return start + least >= 0 && start + most < std::int64_t(a.size_px - 1) << (a.spare_bits + 8);
 }
 
-/// Texels from the window's first one, and weights; `doubtful` as for LinearTexels, with a margin 1 greater for the
-/// coordinate's two roundings.
+/// The window that a 4×4 reads from, and its first sample's coordinate from there.
+struct AffinePlace {
+  std::int32_t window_px;
+  std::int32_t start;
+};
+HWY_INLINE AffinePlace PlaceOf(const AffineAxis& a, std::int64_t start) {
+  const int texel_bits = a.spare_bits + 8;
+  const auto window_px = std::min(std::int32_t((start + a.least) >> texel_bits), a.size_px - kWindow_px);
+  return {window_px, std::int32_t(start - (std::int64_t(window_px) << texel_bits))};
+}
+
+/// Texels from the window's first one, and weights; `doubtful` as for LinearTexels, with a margin 1 greater: the
+/// coordinate is the sum of three numbers (the block's, the 4×4's, the lane's) that were rounded.
 struct AffinePair {
   I first, second_weight;
 };
@@ -131,21 +141,33 @@ HWY_INLINE void SetAffineTexture(const TexturedTriangle& t, AffineTexture& a) {
   a.n_levels = n;
 }
 
-/// Texels of a whole 4×4, and which are doubtful; false where the 4×4 is not in the picture.
+/// Texels of the 4×4 at `quarter` of a block, from `lane` on, as many as Ints has lanes.
+///   x_start, y_start   [levels] the block's
+HWY_INLINE U AffineTexelsAt(const TexturedTriangle& t, const AffineTexture& a, const std::int64_t* x_start,
+                            const std::int64_t* y_start, std::size_t quarter, std::size_t lane, I& doubtful) {
+  const auto sums = [&](std::size_t i) HWY_ATTR {
+    const AffineLevel& level = a.levels[i];
+    return AffineSums(level, PlaceOf(level.x, x_start[i] + level.x.quarter[quarter]),
+                      PlaceOf(level.y, y_start[i] + level.y.quarter[quarter]), t.margin_fx31, lane, doubtful);
+  };
+  const Sums first = sums(0);
+  return a.n_levels == 1 ? Rounded(first) : RoundedBlend(first, sums(1), a.fraction);
+}
+
+/// Texels of a 4×4, and which are doubtful; false where the 4×4 leaves the picture.
 HWY_INLINE bool AffineTexelsOf(const TexturedTriangle& t, const AffineTexture& a, double x_px, double y_px,
                                std::uint32_t* bytes, std::uint32_t& doubtful) {
-  AffinePlace x[2], y[2];
+  std::int64_t x[2], y[2];
   for (int i = 0; i < a.n_levels; ++i) {
-    if (!PlaceAt(a.levels[i].x, x_px, y_px, x[i]) || !PlaceAt(a.levels[i].y, x_px, y_px, y[i])) return false;
+    const AffineLevel& level = a.levels[i];
+    if (!StartAt(level.x, x_px, y_px, level.x.least, level.x.most, x[i]) ||
+        !StartAt(level.y, x_px, y_px, level.y.least, level.y.most, y[i])) {
+      return false;
+    }
   }
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(Ints())) {
     I doubt = hn::Zero(Ints());
-    const Sums sums = AffineSums(a.levels[0], x[0], y[0], t.margin_fx31, lane, doubt);
-    const U texels =
-        a.n_levels == 1
-            ? Rounded(sums)
-            : RoundedBlend(sums, AffineSums(a.levels[1], x[1], y[1], t.margin_fx31, lane, doubt), a.fraction);
-    hn::StoreU(texels, Uints(), bytes + lane);
+    hn::StoreU(AffineTexelsAt(t, a, x, y, 0, lane, doubt), Uints(), bytes + lane);
     doubtful |= BitsOf(doubt) << lane;
   }
   return true;

@@ -24,7 +24,8 @@ HWY_INLINE U Attenuated(U d, U s) {
   const Uints du;
   const hn::Repartition<std::uint16_t, Uints> d16;
   const Bytes d8;
-  alignas(16) static constexpr std::uint8_t kAlpha[16] = {3, 0x80, 3, 0x80, 7, 0x80, 7, 0x80, 11, 0x80, 11, 0x80, 15, 0x80, 15, 0x80};
+  alignas(16) static constexpr std::uint8_t kAlpha[16] = {3,  0x80, 3,  0x80, 7,  0x80, 7,  0x80,
+                                                          11, 0x80, 11, 0x80, 15, 0x80, 15, 0x80};
   const auto alpha = hn::BitCast(d16, hn::TableLookupBytesOr0(hn::BitCast(d8, s), hn::LoadDup128(d8, kAlpha)));
   const auto kept = hn::Xor(alpha, hn::Set(d16, 255));
   const auto product = [&](auto bytes) HWY_ATTR {

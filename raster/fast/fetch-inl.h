@@ -25,7 +25,8 @@ using Uints = hn::RebindToUnsigned<Ints>;
 using Bytes = hn::Repartition<std::uint8_t, Ints>;
 using U = hn::Vec<Uints>;
 
-/// Texels that a linear filter reads along an axis, and the second one's weight, 0…255; the first one's is 256 minus it.
+/// Texels that a linear filter reads along an axis, and the second one's weight, 0…255; the first one's is 256 minus
+/// it.
 struct Pair {
   I first, second, second_weight;
 };
@@ -97,8 +98,8 @@ HWY_INLINE PairedBytes FetchPairs(const std::int32_t* texels, const std::int32_t
 }
 
 #if HWY_TARGET == HWY_AVX3
-/// The 8×8 texels from (x, y) on hold every texel of the lanes: `place` is the first one's, 8·row + column, both below 7.
-/// Registers of two rows serve as tables.
+/// The 8×8 texels from (x, y) on hold every texel of the lanes: `place` is the first one's, 8·row + column, both
+/// below 7. Registers of two rows serve as tables.
 HWY_INLINE Quad FetchFromWindow(const LevelTexels& level, std::int32_t x, std::int32_t y, I place, I x_weight) {
   const Ints di;
   const std::int32_t* from = level.texels + std::size_t(y) * std::size_t(level.width_px) + std::size_t(x);
@@ -140,6 +141,22 @@ HWY_INLINE Quad FetchNear(const LevelTexels& level, std::int32_t x, std::int32_t
 #endif
 }
 
+#if HWY_TARGET == HWY_AVX3
+/// Least column and row of a 4×4's corners; nearly always they are the least of all lanes (but not where a projective
+/// map's weights change their sign).
+HWY_INLINE void LeastOfCorners(I column, I row, std::int32_t& left, std::int32_t& top) {
+  const Ints di;
+  const hn::CappedTag<std::int32_t, 8> half;
+  alignas(64) static constexpr std::int32_t kCorners[16] = {0, 3, 12, 15, 16, 19, 28, 31, 0, 3, 12, 15, 16, 19, 28, 31};
+  const I corners{_mm512_permutex2var_epi32(column.raw, hn::Load(di, kCorners).raw, row.raw)};
+  auto least = hn::LowerHalf(half, corners);
+  least = hn::Min(least, hn::Shuffle1032(least));
+  least = hn::Min(least, hn::Shuffle2301(least));
+  left = hn::GetLane(least);
+  top = hn::GetLane(hn::UpperHalf(hn::CappedTag<std::int32_t, 4>(), least));
+}
+#endif
+
 HWY_INLINE Quad Fetch(const LevelTexels& level, const Pair& x, const Pair& y) {
   const Ints di;
   const auto one = hn::Set(di, 1);
@@ -147,10 +164,13 @@ HWY_INLINE Quad Fetch(const LevelTexels& level, const Pair& x, const Pair& y) {
   if (HWY_UNLIKELY(!hn::AllTrue(di, neighbours))) return FetchOneByOne(level, x, y);
 #if HWY_TARGET == HWY_AVX3
   if (level.width_px >= 8 && level.height_px >= 8) {
-    const std::int32_t left = std::min(hn::GetLane(hn::MinOfLanes(di, x.first)), level.width_px - 8);
-    const std::int32_t top = std::min(hn::GetLane(hn::MinOfLanes(di, y.first)), level.height_px - 8);
+    std::int32_t left, top;
+    LeastOfCorners(x.first, y.first, left, top);
+    left = std::min(left, level.width_px - 8);
+    top = std::min(top, level.height_px - 8);
     const auto column = hn::Sub(x.first, hn::Set(di, left)), row = hn::Sub(y.first, hn::Set(di, top));
-    if (hn::AllTrue(di, hn::Lt(hn::Max(column, row), hn::Set(di, 7)))) {
+    const auto least = hn::Min(column, row), most = hn::Max(column, row);
+    if (hn::AllTrue(di, hn::And(hn::Gt(least, hn::Set(di, -1)), hn::Lt(most, hn::Set(di, 7))))) {
       return FetchNear(level, left, top, column, row, x.second_weight);
     }
   }

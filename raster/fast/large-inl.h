@@ -153,6 +153,16 @@ int RasterizeLarge(const RasterJob& job, const LoneTriangle& triangle, TileBuffe
   const int bx0 = s.begin_x >> 3, by0 = s.begin_y >> 3, bx1 = (s.end_x - 1) >> 3, by1 = (s.end_y - 1) >> 3;
   LargeWalk walk;
   PrepareWalk(job, s, bx0, by0, walk);
+  if (job.skips.blocks) {
+    // The plane over the whole box first: of a tilted triangle, this part may be hidden though the nearest is not.
+    const int across = 8 * (bx1 - bx0), down = 8 * (by1 - by0);
+    const double most = walk.z + walk.z_gain + std::max(0.0, walk.z_right * across) + std::max(0.0, walk.z_down * down);
+    const reference::PixelBox box = {{s.begin_x, s.begin_y}, {s.end_x, s.end_y}};
+    if (Hidden(tile, box, float(std::min(s.z_high, most) * (1.0 + 0x1p-22)))) {
+      counts.blocks_hidden += std::uint64_t(bx1 - bx0 + 1) * std::uint64_t(by1 - by0 + 1);
+      return 0;
+    }
+  }
   int n_passed = 0;
   for (int by = by0; by <= by1; ++by) {
     for (int bx = bx0; bx <= bx1; ++bx) {

@@ -123,10 +123,48 @@ struct OrderedPainter {
     if (job.blend != Blend::none) counts.blended += n;
   }
 
+  /// An 8×8 that is covered, not tested, not tinted and inside the picture; false, with nothing done, if it is not.
+  HWY_INLINE bool PaintWhole(int x0, int y0, std::uint32_t* rgba8) {
+    const Ints di;
+    const Uints du;
+    if (affine.n_levels == 0 || job.depth_test || t.has_color || t.has_vertex_colors) return false;
+    const int x_fx8 = x0 * 256 + job.sample_x_fx8, y_fx8 = y0 * 256 + job.sample_y_fx8;
+    std::int64_t x[2], y[2];
+    for (int i = 0; i < affine.n_levels; ++i) {
+      const AffineLevel& level = affine.levels[i];
+      if (!StartAt(level.x, x_fx8 / 256.0, y_fx8 / 256.0, level.x.least_8x8, level.x.most_8x8, x[i]) ||
+          !StartAt(level.y, x_fx8 / 256.0, y_fx8 / 256.0, level.y.least_8x8, level.y.most_8x8, y[i])) {
+        return false;
+      }
+    }
+    std::uint64_t n_exact = 0;
+    for (std::size_t k = 0; k < 64; k += hn::Lanes(di)) {
+      const std::size_t quarter = k / 16, lane = k % 16;
+      I doubtful = hn::Zero(di);
+      U texels = AffineTexelsAt(t, affine, x, y, quarter, lane, doubtful);
+      if (HWY_UNLIKELY(!hn::AllFalse(di, hn::Ne(doubtful, hn::Zero(di))))) {
+        alignas(64) std::uint32_t bytes[16];
+        hn::Store(texels, du, bytes + lane);
+        const std::uint32_t doubts = BitsOf(doubtful) << lane;
+        n_exact += std::uint64_t(std::popcount(doubts));
+        counts.texels_read +=
+            ExactTexels(t, x_fx8 + 1024 * int(quarter & 1), y_fx8 + 1024 * int(quarter >> 1), doubts, bytes);
+        texels = hn::Load(du, bytes + lane);
+      }
+      hn::Store(Blended(job.blend, texels, hn::Load(du, rgba8 + k)), du, rgba8 + k);
+    }
+    counts.covered += 64;
+    counts.shaded += 64;
+    if (job.blend != Blend::none) counts.blended += 64;
+    counts.texels_read += std::uint64_t(4 * affine.n_levels) * (64 - n_exact);
+    return true;
+  }
+
   HWY_INLINE void Block(int bx, int by, const double (&first)[3]) {
     const int x0 = bx * kBlock_px, y0 = by * kBlock_px;
     bool whole = job.begin_x <= x0 && job.begin_y <= y0 && x0 + kBlock_px <= job.end_x && y0 + kBlock_px <= job.end_y;
     for (std::size_t i = 0; i < 3; ++i) whole = whole && first[i] + walk.least[i] >= t.bias[i];
+    if (whole && PaintWhole(x0, y0, job.rgba8 + (by * kBlocksPerRow + bx) * 64)) return;
     for (int quarter = 0; quarter < 4; ++quarter) {
       const int x = x0 + (quarter & 1) * 4, y = y0 + (quarter >> 1) * 4;
       const int place = (by * kBlocksPerRow + bx) * 64 + quarter * 16;

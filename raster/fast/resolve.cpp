@@ -56,6 +56,7 @@ class Resolver {
     job.shade_others = [](const void* self, int x, int y, Lanes lanes) {
       auto* resolver = static_cast<Resolver*>(const_cast<void*>(self));
       const auto base = std::size_t(place_in_tile(x, y));
+      if (lanes == 0xFFFF && resolver->shade_whole_block(x, y, base)) return;
       lanes &= ~resolver->shade_by_records(x, y, base, lanes);
       while (lanes != 0) lanes &= ~resolver->shade_owner(x, y, base, lanes);
     };
@@ -320,6 +321,19 @@ class Resolver {
     n = 0;
     for_each_lane(lanes, [&](std::uint32_t k) { store(base + k, rgba[n++]); });
     return lanes;
+  }
+
+  /// A 4×4 of one textured triangle that is at hand, straight into the tile.
+  bool shade_whole_block(int x, int y, std::size_t base) {
+    const std::uint32_t* owners = w_.tile->owner + base;
+    const Textured& kept = textured_[owners[0] % textured_.size()];
+    std::uint32_t differ = owners[0] ^ kept.owner;
+    for (std::size_t k = 1; k < 16; ++k) differ |= owners[k] ^ owners[0];
+    if (differ != 0) return false;
+    auto* bytes = reinterpret_cast<std::uint32_t*>(&w_.rgba8[base]);
+    w_.stats.texels_read +=
+        scene_.kernels->shade_textured(kept.triangle, x * 256 + sample_fx8_.x, y * 256 + sample_fx8_.y, 0xFFFF, bytes);
+    return true;
   }
 
   /// False if the owner is not a whole triangle.

@@ -81,18 +81,17 @@ HWY_INLINE U Fixed(const TwoHalves& w, double scale) {
 HWY_INLINE I Doubtful(const Axis& axis, U shifted, std::int32_t margin) {
   const Ints di;
   const Uints du;
-  const auto near = hn::And(hn::Add(shifted, hn::Set(du, std::uint32_t(margin))),
-                            hn::Set(du, (1u << axis.spare_bits) - 1));
+  const auto near =
+      hn::And(hn::Add(shifted, hn::Set(du, std::uint32_t(margin))), hn::Set(du, (1u << axis.spare_bits) - 1));
   return hn::VecFromMask(di, hn::Lt(hn::BitCast(di, near), hn::Set(di, 2 * margin + 1)));
 }
 
-HWY_INLINE Pair LinearTexels(const Axis& axis, const TwoHalves& w, std::int32_t margin, I& doubtful) {
+HWY_INLINE Pair LinearTexels(const Axis& axis, U fixed, std::int32_t margin, I& doubtful) {
   const Ints di;
   const Uints du;
-  const auto rounding = hn::Add(Fixed(w, axis.scale), hn::Set(du, 1u << (axis.spare_bits - 1)));
+  const auto rounding = hn::Add(fixed, hn::Set(du, 1u << (axis.spare_bits - 1)));
   doubtful = hn::Or(doubtful, Doubtful(axis, rounding, margin));
-  const auto from_centre =
-      hn::Sub(hn::BitCast(di, hn::ShiftRightSame(rounding, axis.spare_bits)), hn::Set(di, 128));
+  const auto from_centre = hn::Sub(hn::BitCast(di, hn::ShiftRightSame(rounding, axis.spare_bits)), hn::Set(di, 128));
   auto first = hn::ShiftRight<8>(from_centre);  // −1 … size − 1
   auto second = hn::Add(first, hn::Set(di, 1));
   const auto weight = hn::And(from_centre, hn::Set(di, 255));
@@ -113,8 +112,8 @@ HWY_INLINE I NearestTexel(const Axis& axis, const TwoHalves& w, std::int32_t mar
   const U fixed = Fixed(w, axis.scale);
   I near = Doubtful(axis, fixed, margin);
   if (axis.wrap != Wrap::repeat) {
-    const auto bound = hn::BitCast(
-        di, hn::ShiftRightSame(hn::Add(fixed, hn::Set(Uints(), std::uint32_t(margin))), axis.spare_bits));
+    const auto bound =
+        hn::BitCast(di, hn::ShiftRightSame(hn::Add(fixed, hn::Set(Uints(), std::uint32_t(margin))), axis.spare_bits));
     const auto at_edge = hn::Or(hn::Eq(bound, hn::Zero(di)), hn::Eq(bound, hn::Set(di, axis.size_px)));
     near = hn::IfThenZeroElse(at_edge, near);
   }
@@ -191,8 +190,7 @@ HWY_INLINE U RoundedBlend(const Sums& a, const Sums& b, I f) {
   const I weight[4] = {hn::Broadcast<0>(f), hn::Broadcast<1>(f), hn::Broadcast<2>(f), hn::Broadcast<3>(f)};
   Sums s;
   for (int k = 0; k < 4; ++k) {
-    const auto sum = hn::Add(hn::ShiftLeft<8>(a.of_lane[k]),
-                             hn::Mul(hn::Sub(b.of_lane[k], a.of_lane[k]), weight[k]));
+    const auto sum = hn::Add(hn::ShiftLeft<8>(a.of_lane[k]), hn::Mul(hn::Sub(b.of_lane[k], a.of_lane[k]), weight[k]));
     s.of_lane[k] = hn::Add(sum, hn::Set(di, std::int32_t(0x80800000u)));
   }
   return Packed<3>(s);

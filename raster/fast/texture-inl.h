@@ -39,18 +39,19 @@ HWY_INLINE hn::Mask<Ints> LanesOf(std::uint32_t lanes) {
 }
 
 /// 128·log2(m) of the mantissas m in [1, 2): z·q(z), z = m − 1, q interpolating at Chebyshev's nodes. Off by at most
-/// 2^-14.4 over all 2^23 mantissas (compared with a double logarithm, one by one).
+/// 2^-14.3 over all 2^23 mantissas (compared with a double logarithm, one by one).
 HWY_INLINE hn::Vec<Floats> Log2OfMantissa(hn::Vec<Floats> z) {
   const Floats f;
   constexpr float kQ[8] = {0x1.715472p+7f, -0x1.714f1ep+6f, 0x1.eb8862p+5f, -0x1.699218p+5f,
                            0x1.054cf2p+5f, -0x1.3bb40cp+4f, 0x1.01048p+3f,  -0x1.8bbd64p+0f};
-  auto sum = hn::Set(f, kQ[7]);
-  for (int i = 6; i >= 0; --i) sum = hn::Add(hn::Mul(sum, z), hn::Set(f, kQ[i]));
-  return hn::Mul(sum, z);
+  const auto pair = [&](int i) HWY_ATTR { return hn::Add(hn::Set(f, kQ[i]), hn::Mul(hn::Set(f, kQ[i + 1]), z)); };
+  const auto z2 = hn::Mul(z, z);
+  const auto low = hn::Add(pair(0), hn::Mul(pair(2), z2)), high = hn::Add(pair(4), hn::Mul(pair(6), z2));
+  return hn::Mul(hn::Add(low, hn::Mul(high, hn::Mul(z2, z2))), z);
 }
 
 /// Levels of detail, 8.8, clamped to [0, top]; `doubtful` where single precision cannot tell: ρ² is off by 9 roundings
-/// (2^-20.8, which is 2^-13.3 of 128·log2) and the logarithm by 2^-14.4, together less than the 2^-12 in margin_lambda.
+/// (2^-20.8, which is 2^-13.3 of 128·log2) and the logarithm by 2^-14.3, together less than the 2^-12 in margin_lambda.
 HWY_INLINE I Lambda(const TexturedTriangle& t, hn::Vec<Floats> rho_squared, std::int32_t top, I& doubtful) {
   const Ints di;
   const Floats f;
@@ -108,25 +109,40 @@ HWY_INLINE Coordinates CoordinatesAt(const TexturedTriangle& t, double x_px, dou
     c.inverse_sum = hn::Zero(Floats());
     return c;
   }
-  const TwoHalves r =
-      Each(plane(t.sum, t.lane_sum), [&](D sum) HWY_ATTR { return hn::Div(hn::Set(d, 1.0), sum); });
+  const TwoHalves r = Each(plane(t.sum, t.lane_sum), [&](D sum) HWY_ATTR { return hn::Div(hn::Set(d, 1.0), sum); });
   c.u = {hn::Mul(c.u.low, r.low), hn::Mul(c.u.high, r.high)};
   c.v = {hn::Mul(c.v.low, r.low), hn::Mul(c.v.high, r.high)};
   c.inverse_sum = hn::Combine(Floats(), hn::DemoteTo(half, r.high), hn::DemoteTo(half, r.low));
   return c;
 }
 
-HWY_INLINE Sums LevelSums(const TexturedTriangle& t, std::int32_t level, const Coordinates& w, I& doubtful) {
+/// Coordinates after wrapping, and in 2^-31: the fixed point of all sizes that are powers of two.
+struct WrappedCoordinates {
+  TwoHalves u, v;
+  U u_fx31, v_fx31;
+};
+HWY_INLINE WrappedCoordinates WrappedBy(const Sampler& sampler, const Coordinates& c) {
+  WrappedCoordinates w;
+  w.u = Wrapped(c.u, sampler.wrap_u);
+  w.v = Wrapped(c.v, sampler.wrap_v);
+  w.u_fx31 = Fixed(w.u, 0x1p31);
+  w.v_fx31 = Fixed(w.v, 0x1p31);
+  return w;
+}
+
+HWY_INLINE Sums LevelSums(const TexturedTriangle& t, std::int32_t level, const WrappedCoordinates& w, I& doubtful) {
   const TextureLevel& l = t.texture->levels[std::size_t(level)];
   const Axis x_axis = MakeAxis(l.size_px.x, 256 * l.size_px.x, t.sampler.wrap_u);
   const Axis y_axis = MakeAxis(l.size_px.y, 256 * l.size_px.y, t.sampler.wrap_v);
-  const Pair x = LinearTexels(x_axis, w.u, t.margin_fx31, doubtful);
-  const Pair y = LinearTexels(y_axis, w.v, t.margin_fx31, doubtful);
+  const U x_fixed = x_axis.scale == 0x1p31 ? w.u_fx31 : Fixed(w.u, x_axis.scale);
+  const U y_fixed = y_axis.scale == 0x1p31 ? w.v_fx31 : Fixed(w.v, y_axis.scale);
+  const Pair x = LinearTexels(x_axis, x_fixed, t.margin_fx31, doubtful);
+  const Pair y = LinearTexels(y_axis, y_fixed, t.margin_fx31, doubtful);
   const auto* texels = reinterpret_cast<const std::int32_t*>(l.raw.data());
   return Filtered(Fetch({texels, l.size_px.x, l.size_px.y}, x, y), x.second_weight, y.second_weight);
 }
 
-HWY_INLINE U NearestTexels(const TexturedTriangle& t, const Coordinates& w, I& doubtful) {
+HWY_INLINE U NearestTexels(const TexturedTriangle& t, const WrappedCoordinates& w, I& doubtful) {
   const Ints di;
   const TextureLevel& l = t.texture->levels[0];
   const I x = NearestTexel(MakeAxis(l.size_px.x, l.size_px.x, t.sampler.wrap_u), w.u, t.margin_fx31, doubtful);
@@ -136,8 +152,8 @@ HWY_INLINE U NearestTexels(const TexturedTriangle& t, const Coordinates& w, I& d
 }
 
 /// One level for all of the lanes, and the next with weight `f`, if any lane's is not 0.
-HWY_INLINE U TwoLevels(const TexturedTriangle& t, std::int32_t level, I f, hn::Mask<Ints> lanes, const Coordinates& w,
-                       I& doubtful) {
+HWY_INLINE U TwoLevels(const TexturedTriangle& t, std::int32_t level, I f, hn::Mask<Ints> lanes,
+                       const WrappedCoordinates& w, I& doubtful) {
   const Ints di;
   const Sums a = LevelSums(t, level, w, doubtful);
   if (hn::AllTrue(di, hn::Or(hn::Eq(f, hn::Zero(di)), hn::Not(lanes)))) return Rounded(a);
@@ -153,18 +169,23 @@ struct Shaded {
 
 /// In perspective each sample has levels of its own; most often all of a 4×4 have the same ones.
 HWY_INLINE U VaryingLevels(const TexturedTriangle& t, const Slopes& slopes, std::size_t first, hn::Mask<Ints> lanes,
-                           const Coordinates& w, I& doubtful, std::uint32_t& second_levels) {
+                           hn::Vec<Floats> inverse_sum, const WrappedCoordinates& w, I& doubtful,
+                           std::uint32_t& second_levels) {
   const Ints di;
   const Floats f;
   const auto row = hn::SetTableIndices(f, kLaneY + first);
-  const auto most = hn::Max(hn::TableLookupLanes(hn::LoadDup128(f, slopes.along_x), row),
-                            hn::LoadDup128(f, slopes.along_y));
-  const auto r2 = hn::Mul(w.inverse_sum, w.inverse_sum);
+  const auto most =
+      hn::Max(hn::TableLookupLanes(hn::LoadDup128(f, slopes.along_x), row), hn::LoadDup128(f, slopes.along_y));
+  const auto r2 = hn::Mul(inverse_sum, inverse_sum);
   const std::int32_t top = 256 * (std::int32_t(t.texture->levels.size()) - 1);
   const I lambda = Lambda(t, hn::Mul(most, hn::Mul(r2, r2)), top, doubtful);
   const I fraction = hn::And(lambda, hn::Set(di, 255));
   second_levels = BitsOf(fraction);
   const I level = hn::ShiftRight<8>(lambda);
+  const std::int32_t some = hn::GetLane(level);
+  if (HWY_LIKELY(hn::AllTrue(di, hn::Eq(level, hn::Set(di, some))))) {
+    return TwoLevels(t, some, fraction, lanes, w, doubtful);
+  }
   const auto low = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(lanes, level, hn::Set(di, top))));
   const auto high = hn::GetLane(hn::MaxOfLanes(di, hn::IfThenElseZero(lanes, level)));
   U texels = hn::Zero(Uints());
@@ -180,20 +201,19 @@ HWY_INLINE U VaryingLevels(const TexturedTriangle& t, const Slopes& slopes, std:
 }
 
 /// Samples [first, first + lanes of Ints) of the 4×4 whose first one is at (x_px, y_px).
-HWY_INLINE Shaded TexelsAt(const TexturedTriangle& t, double x_px, double y_px, const Slopes& slopes,
-                           std::size_t first, std::uint32_t lanes) {
+HWY_INLINE Shaded TexelsAt(const TexturedTriangle& t, double x_px, double y_px, const Slopes& slopes, std::size_t first,
+                           std::uint32_t lanes) {
   const Ints di;
   I doubtful = hn::Zero(di);
-  Coordinates w = CoordinatesAt(t, x_px, y_px, first);
-  w.u = Wrapped(w.u, t.sampler.wrap_u);
-  w.v = Wrapped(w.v, t.sampler.wrap_v);
+  const Coordinates c = CoordinatesAt(t, x_px, y_px, first);
+  const WrappedCoordinates w = WrappedBy(t.sampler, c);
   U texels;
   std::uint32_t per_sample = 4, second_levels = 0;
   if (t.sampler.filter == Filter::nearest) {
     texels = NearestTexels(t, w, doubtful);
     per_sample = 1;
   } else if (t.levels_vary) {
-    texels = VaryingLevels(t, slopes, first, LanesOf(lanes), w, doubtful, second_levels);
+    texels = VaryingLevels(t, slopes, first, LanesOf(lanes), c.inverse_sum, w, doubtful, second_levels);
   } else {
     const std::int32_t f = t.levels.second_weight_fx8;
     texels = TwoLevels(t, t.levels.level, hn::Set(di, f), LanesOf(lanes), w, doubtful);

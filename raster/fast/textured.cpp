@@ -71,11 +71,11 @@ void set_slopes(TexturedTriangle& t, const glm::dvec2& size_px) {
 }
 
 /// Bounds on how far the planes' results and the reference's are apart. With ε = 2^-53: a plane's coefficients are off
-/// by at most 6ε times the magnitudes they are made of (U for uv, M for weights, P for their steps), its value by 18ε·U·M,
-/// and N/D by 38ε·U·M·R, as D ≥ 1/R inside. The reference's own u is off by 12ε·U. Together below 2^-45·U·M·R.
-/// Likewise a numerator of a derivative is off by 2^7·ε·P·U·M, the derivative by that times R², the reference's by less;
-/// ρ by 2^-44·P·U·M·R² texels, times the size, and as only ρ ≥ 0.99 matters (below, λ < 0), ρ² by the relative `eta`;
-/// d(128·log2 ρ²) is 185 times that. 2^-12 is for the kernels' single precision (texture_level-inl.h).
+/// by at most 6ε times the magnitudes they are made of (U for uv, M for weights, P for their steps), its value by
+/// 18ε·U·M, and N/D by 38ε·U·M·R, as D ≥ 1/R inside. The reference's own u is off by 12ε·U. Together below 2^-45·U·M·R.
+/// Likewise a numerator of a derivative is off by 2^7·ε·P·U·M, the derivative by that times R², the reference's by
+/// less; ρ by 2^-44·P·U·M·R² texels, times the size, and as only ρ ≥ 0.99 matters (below, λ < 0), ρ² by the relative
+/// `eta`; d(128·log2 ρ²) is 185 times that. 2^-12 is for the kernels' single precision (texture-inl.h).
 void set_margins(TexturedTriangle& t, const Magnitudes& most, double size_px) {
   const double uv_error = 0x1p-45 * most.uv * most.weights * most.ratio;
   const double eta = t.sampler.filter != Filter::trilinear
@@ -90,8 +90,8 @@ void set_margins(TexturedTriangle& t, const Magnitudes& most, double size_px) {
   if (t.sampler.filter != Filter::trilinear) return;
   t.levels_vary = !t.affine;
   if (!t.affine) return;
-  const double rho_squared = std::max(t.slope[0] * t.slope[0] + t.slope[1] * t.slope[1],
-                                      t.slope[2] * t.slope[2] + t.slope[3] * t.slope[3]);
+  const double rho_squared =
+      std::max(t.slope[0] * t.slope[0] + t.slope[1] * t.slope[1], t.slope[2] * t.slope[2] + t.slope[3] * t.slope[3]);
   const auto n_levels = std::int32_t(t.texture->levels.size());
   t.levels = mip_levels(lambda_fx8(rho_squared * (1.0 - eta)), n_levels);
   const LevelPair other = mip_levels(lambda_fx8(rho_squared * (1.0 + eta)), n_levels);

@@ -1,10 +1,10 @@
 #pragma once
-/// Triangles with a texture, made ready for the kernels. A texture coordinate is N/D of two functions that are affine in
-/// the window (Heckbert & Moreton, "Interpolation for polygon texture mapping and shading", 1991), so that a sample
+/// Triangles with a texture, made ready for the kernels. A texture coordinate is N/D of two functions that are affine
+/// in the window (Heckbert & Moreton, "Interpolation for polygon texture mapping and shading", 1991), so that a sample
 /// costs one division, and derivatives cost none: the numerators of ∂(N/D)/∂x = (N_x·D − N·D_x)/D² do not depend on x,
-/// nor those of ∂/∂y on y. This is not the reference's order of operations (C7). The kernels give its bytes all the same:
-/// they carry a bound of the difference, and a sample whose coordinate or level of detail lies within the bound of a
-/// rounding's tie is done by the reference's own functions, `exact_texel`.
+/// nor those of ∂/∂y on y. This is not the reference's order of operations (C7). The kernels give its bytes all the
+/// same: they carry a bound of the difference, and a sample whose coordinate or level of detail lies within the bound
+/// of a rounding's tie is done by the reference's own functions, `exact_texel`.
 
 #include <array>
 #include <cstdint>
@@ -33,8 +33,8 @@ struct TexturedTriangle {
 
   // Approximate, for samples inside the triangle and the tile. Where `bounded` is false no bound is of use.
   bool bounded = false;
-  Plane u, v, sum;                     ///< uᵢ and vᵢ times the weights, and the weights, which add up to `sum`, 0 < sum ≤ 1
-  std::array<double, 4> slope{};       ///< numerators, in texels of level 0: ∂u/∂x, ∂v/∂x at y = 0; ∂u/∂y, ∂v/∂y at x = 0
+  Plane u, v, sum;  ///< uᵢ and vᵢ times the weights, and the weights, which add up to `sum`, 0 < sum ≤ 1
+  std::array<double, 4> slope{};  ///< numerators, in texels of level 0: ∂u/∂x, ∂v/∂x at y = 0; ∂u/∂y, ∂v/∂y at x = 0
   std::array<double, 4> slope_step{};  ///< what they gain per pixel of y, y, x, x
   std::int32_t margin_fx31 = 0;        ///< bound of the error of u and v, plus 1, in 2^-31
   float margin_lambda = 0.0f;          ///< bound of the error of 128·log2(ρ²)
@@ -44,7 +44,7 @@ struct TexturedTriangle {
 
   const Texture* texture = nullptr;
   Sampler sampler;
-  bool has_color = false;          ///< the draw's
+  bool has_color = false;  ///< the draw's
   bool has_vertex_colors = false;
   std::array<float, 4> color{};
   std::array<std::array<float, 4>, 3> vertex_colors{};
@@ -65,7 +65,8 @@ struct TexturedTriangle {
 /// As the kernels need it.
 ///   piece   a Triangle with no polygon, of a draw that can_texture let pass
 /// Cost: a few hundred cycles; keep it for all samples of a tile.
-[[nodiscard]] TexturedTriangle make_textured(const Draw& draw, const reference::Piece& piece, glm::ivec2 tile_origin_px);
+[[nodiscard]] TexturedTriangle make_textured(const Draw& draw, const reference::Piece& piece,
+                                             glm::ivec2 tile_origin_px);
 
 /// The filtered texel at a sample, as the reference has it; texels_read grows by what the filter fetched.
 ///   p_fx8   from the tile's corner

@@ -36,8 +36,8 @@ HWY_INLINE Weights WeightsAt(const TexturedTriangle& t, int x_fx8, int y_fx8, st
     if (!t.affine) q[k] = hn::Div(q[k], hn::Set(d, t.w[k]));
   }
   const auto sum = hn::Add(hn::Add(q[0], q[1]), q[2]);
-  return {{hn::DemoteTo(f, hn::Div(q[0], sum)), hn::DemoteTo(f, hn::Div(q[1], sum)),
-           hn::DemoteTo(f, hn::Div(q[2], sum))}};
+  return {
+      {hn::DemoteTo(f, hn::Div(q[0], sum)), hn::DemoteTo(f, hn::Div(q[1], sum)), hn::DemoteTo(f, hn::Div(q[2], sum))}};
 }
 
 /// The draw's colour times the vertices', of 255: channel c.

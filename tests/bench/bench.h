@@ -8,6 +8,7 @@ namespace lode::bench {
 void register_samples();
 /// The fast pipeline's kernels for each instruction set that this processor has, and cutting a mesh into clusters.
 void register_kernels();
+void register_shading();
 /// Frames of both pipelines: clear, triangles of one size, filters, layers, and the determinism pictures.
 void register_frames();
 

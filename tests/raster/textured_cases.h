@@ -30,8 +30,10 @@ struct TexturedCase {
     p = origin_fx8 + glm::ivec2(random.between(-reach, reach), random.between(-reach, reach));
     if (kind == 3) p = corners[0] + glm::ivec2(random.between(-512, 512), random.between(-512, 512));
   }
-  if (kind == 2 && random.below(2) == 0) corners[2] = corners[1] + glm::ivec2(random.between(-9, 9), random.between(-9, 9));
-  if (random.below(8) == 0) corners = {origin_fx8, origin_fx8 + glm::ivec2(32768, 0), origin_fx8 + glm::ivec2(0, 32768)};
+  if (kind == 2 && random.below(2) == 0)
+    corners[2] = corners[1] + glm::ivec2(random.between(-9, 9), random.between(-9, 9));
+  if (random.below(8) == 0)
+    corners = {origin_fx8, origin_fx8 + glm::ivec2(32768, 0), origin_fx8 + glm::ivec2(0, 32768)};
   return corners;
 }
 
