@@ -13,7 +13,7 @@ namespace lode::raster {
 namespace {
 
 constexpr int kBins = 16;
-constexpr float kStackedShare = 0.4f;  // of the common box's area, in the mean
+constexpr float kStackedShare = 0.4f;            // of the common box's area, in the mean
 constexpr std::size_t kParallelBelow = 1 << 15;  // triangles of a subtree that is one task
 
 struct Box {

@@ -29,7 +29,7 @@ struct ClusterGroup {
   static constexpr int kMost = 16;
   static constexpr std::uint32_t kIsCluster = 0x80000000u;
 
-  alignas(64) float low[3][kMost];   ///< [axis] boxes of the vertices below
+  alignas(64) float low[3][kMost];  ///< [axis] boxes of the vertices below
   alignas(64) float high[3][kMost];
   alignas(64) float cone_axis[3][kMost];  ///< unit; every triangle's normal n below has n·axis ≥ cone_cos
   alignas(64) float cone_cos[kMost];      ///< ≤ 0: no use for culling

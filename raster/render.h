@@ -51,13 +51,14 @@ class FrameMemory {
 
 /// Neither the number of threads nor the tile size, pipeline, target or skips move a pixel.
 struct RenderOptions {
-  int threads = 0;         ///< 0: one per processor; at most 256 are used
-  int tile_size_px = 64;   ///< of the reference pipeline: 8…256, a power of two; the fast one's is fixed
+  int threads = 0;        ///< 0: one per processor; at most 256 are used
+  int tile_size_px = 64;  ///< of the reference pipeline: 8…256, a power of two; the fast one's is fixed
   Pipeline pipeline = Pipeline::fast;
   Target target = Target::best;  ///< bad input if it cannot run here
   Skips skips = {};
-  FrameMemory* memory = nullptr;  ///< kept between frames, so that a steady state allocates nothing; null: the frame's own
-  std::span<DrawStats> per_draw = {};  ///< empty, or one element a draw, overwritten
+  FrameMemory* memory =
+      nullptr;  ///< kept between frames, so that a steady state allocates nothing; null: the frame's own
+  std::span<DrawStats> per_draw = {};   ///< empty, or one element a draw, overwritten
   bool ids_from_ordered_draws = false;  ///< draws that write no depth leave their ids too (for `draw --print`)
   /// Called once for each finished tile, from any worker; must not throw. n_tiles(…) says how many there are.
   std::function<void()> on_tile = {};

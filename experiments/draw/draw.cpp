@@ -105,7 +105,12 @@ void draw(const DrawOptions& options, const CommonOptions& common, std::istream&
                       .per_draw = {}};
     std::vector<raster::DrawStats> per_draw(picture.draws.size());
     report.per_draw = per_draw;
-    const raster::Image image = rendering.render(planes, {.per_draw = per_draw}, &report.counters);
+    const raster::Image image = rendering.render(planes, {.per_draw = {}}, &report.counters);
+    // Draws are counted in a render of its own, without any plane: only the reference pipeline can.
+    if (options.outputs.stats) {
+      static_cast<void>(
+          rendering.render({.color = false, .depth = false, .ids = false}, {.per_draw = per_draw}, nullptr));
+    }
     files.write(image);
     if (options.outputs.stats) files.write_stats(draw_stats_json(report, image), out);
   }

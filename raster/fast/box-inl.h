@@ -28,8 +28,8 @@ struct Boxes {
   D low[3], high[3];
 };
 
-/// A row of the matrix over the boxes: least and greatest value would do for the planes, but x and y are divided by w at
-/// each corner, so all eight are kept. `magnitude` bounds the absolute values of everything added up.
+/// A row of the matrix over the boxes: least and greatest value would do for the planes, but x and y are divided by w
+/// at each corner, so all eight are kept. `magnitude` bounds the absolute values of everything added up.
 struct CornerValues {
   D at[8];
   D magnitude;
@@ -88,8 +88,8 @@ HWY_INLINE DoubleMask FacingAway(const DrawView& v, const ClusterGroup& g, std::
   return hn::And(hn::Gt(cosine, hn::Zero(d)), hn::Gt(determinant, hn::Mul(hn::Set(d, 0x1p-46), magnitudes)));
 }
 
-void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::PixelBox& window, const Skips& skips, std::size_t first,
-                BoxSight* out) {
+void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::PixelBox& window, const Skips& skips,
+                std::size_t first, BoxSight* out) {
   const Doubles d;
   const HalfFloats f;
   Boxes b;
@@ -119,7 +119,8 @@ void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::Pixel
     guarded[i] = hn::Mul(guard, w.at[i]);
   }
   const auto minus_w = hn::Neg(slack_w), minus_z = hn::Neg(slack_z);
-  auto outside = hn::Or(hn::Or(hn::Lt(MostOf(near), minus_z), hn::Lt(MostOf(w.at), minus_w)), hn::Lt(MostOf(z.at), minus_z));
+  auto outside =
+      hn::Or(hn::Or(hn::Lt(MostOf(near), minus_z), hn::Lt(MostOf(w.at), minus_w)), hn::Lt(MostOf(z.at), minus_z));
   const auto least_w = LeastOf(w.at);
   auto clean = hn::And(hn::And(hn::Gt(LeastOf(near), slack_z), hn::Gt(least_w, slack_w)),
                        hn::And(hn::Gt(least_w, hn::Set(d, 0x1p-140)), hn::Ge(LeastOf(z.at), slack_z)));
@@ -158,7 +159,8 @@ void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::Pixel
 
   alignas(64) double values[4][8], nearests[8];
   alignas(64) double cleans[8], outsides[8], facings[8];
-  const auto store_flag = [&](DoubleMask mask, double* to) HWY_ATTR { hn::Store(hn::IfThenElseZero(mask, one), d, to); };
+  const auto store_flag = [&](DoubleMask mask, double* to)
+                              HWY_ATTR { hn::Store(hn::IfThenElseZero(mask, one), d, to); };
   store_flag(clean, cleans), store_flag(outside, outsides), store_flag(facing, facings);
   hn::Store(begin_x, d, values[0]), hn::Store(begin_y, d, values[1]);
   hn::Store(end_x, d, values[2]), hn::Store(end_y, d, values[3]);
@@ -177,7 +179,8 @@ void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::Pixel
   }
 }
 
-void Look(const DrawView& view, const ClusterGroup& group, const reference::PixelBox& window, const Skips& skips, BoxSight* out) {
+void Look(const DrawView& view, const ClusterGroup& group, const reference::PixelBox& window, const Skips& skips,
+          BoxSight* out) {
   for (std::size_t first = 0; int(first) < group.n; first += hn::Lanes(Doubles())) {
     LookAtSome(view, group, window, skips, first, out);
   }

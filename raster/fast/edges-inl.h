@@ -12,8 +12,8 @@
 #define LODE_RASTER_FAST_EDGES_INL_H_
 #endif
 
-#include "raster/fast/plane-inl.h"
 #include "raster/fast/lanes-inl.h"
+#include "raster/fast/plane-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -63,13 +63,14 @@ HWY_INLINE void PlanesOf(const LaneEdges& e, I area, const double (&z)[3][16], i
     auto sum = hn::Zero(d), sum_x = hn::Zero(d), sum_y = hn::Zero(d), terms = hn::Zero(d);
     for (int k = 0; k < 3; ++k) {
       const auto zk = hn::LoadU(d, z[k] + half);
-      const auto a = hn::PromoteTo(d, hn::LoadU(hi, at[k] + half)), x = hn::PromoteTo(d, hn::LoadU(hi, right[k] + half)),
+      const auto a = hn::PromoteTo(d, hn::LoadU(hi, at[k] + half)),
+                 x = hn::PromoteTo(d, hn::LoadU(hi, right[k] + half)),
                  y = hn::PromoteTo(d, hn::LoadU(hi, down[k] + half));
       sum = hn::Add(sum, hn::Mul(a, zk));
       sum_x = hn::Add(sum_x, hn::Mul(x, zk));
       sum_y = hn::Add(sum_y, hn::Mul(y, zk));
-      const auto most = hn::Add(hn::Abs(a), hn::Add(hn::Mul(hn::Abs(x), hn::Set(d, reach_x)),
-                                                    hn::Mul(hn::Abs(y), hn::Set(d, reach_y))));
+      const auto most = hn::Add(
+          hn::Abs(a), hn::Add(hn::Mul(hn::Abs(x), hn::Set(d, reach_x)), hn::Mul(hn::Abs(y), hn::Set(d, reach_y))));
       terms = hn::Add(terms, hn::Mul(most, zk));
     }
     hn::StoreU(hn::Mul(sum, inverse), d, planes.at + half);

@@ -65,7 +65,7 @@ HWY_INLINE Quad FetchOneByOne(const LevelTexels& level, const Pair& x, const Pai
 /// Texels `index` and index + 1 of each lane.
 HWY_INLINE PairedBytes FetchPairs(const std::int32_t* texels, const std::int32_t* index, I x_weight) {
   const Ints di;
-  const hn::Repartition<std::uint64_t, Ints> d64;
+  [[maybe_unused]] const hn::Repartition<std::uint64_t, Ints> d64;
   const Bytes d8;
   // Lanes 0, 1, 4, 5, … and 2, 3, 6, 7, …, as interleaving leaves them.
   const auto two = [&](std::size_t k) HWY_ATTR {

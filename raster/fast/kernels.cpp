@@ -35,8 +35,9 @@ constexpr Target kTarget = Target::scalar;
 #endif
 
 extern const Kernels kKernels;
-const Kernels kKernels = {kTarget,      Look,           Transform, Rasterize, RasterizeLone, Hidden,        MakeRecords,
-                          ShadeRecords, ResolveRecords, WriteTile, ShadeFlat, StoreBytes,    ShadeTextured, DrawTextured};
+const Kernels kKernels = {kTarget,   Look,        Transform,     Rasterize,      RasterizeLone,
+                          Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile,
+                          ShadeFlat, StoreBytes,  ShadeTextured, DrawTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast
@@ -47,7 +48,7 @@ namespace lode::raster::fast {
 namespace {
 
 const Kernels* const kBuilt[] = {
-    // the widest first
+// the widest first
 #if HWY_TARGETS & HWY_AVX3
     &N_AVX3::kKernels,
 #endif

@@ -45,7 +45,7 @@ enum class Sight : std::uint32_t {
 };
 struct BoxSight {
   Sight sight = Sight::outside;
-  float nearest = 1.0f;     ///< if clean: no depth of it is greater
+  float nearest = 1.0f;        ///< if clean: no depth of it is greater
   reference::PixelBox pixels;  ///< if clean: of the window, those that it may cover
 };
 
@@ -114,7 +114,7 @@ struct FlatJob {
   const float* colors = nullptr;  ///< [4 · mesh vertices], or null
   std::array<float, 4> color{};   ///< the draw's, if has_color
   bool has_color = false;
-  float full = 255.0f;       ///< 255 for bytes, 1 for floats
+  float full = 255.0f;                  ///< 255 for bytes, 1 for floats
   const std::int32_t* x_fx8 = nullptr;  ///< [16] samples, from the tile's corner
   const std::int32_t* y_fx8 = nullptr;
 };
@@ -134,8 +134,8 @@ struct alignas(64) ColorRecord {
 
 /// What colour records are made from.
 struct RecordJob {
-  const std::uint8_t* corners = nullptr;   ///< of the cluster
-  const CornerRecord* vertices = nullptr;  ///< of the cluster
+  const std::uint8_t* corners = nullptr;               ///< of the cluster
+  const CornerRecord* vertices = nullptr;              ///< of the cluster
   std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};  ///< the draw's colour, of 1
   bool scaled = false;
   int sample_x_fx8 = 128, sample_y_fx8 = 128;
@@ -191,7 +191,8 @@ struct OrderedCounts {
 struct Kernels {
   Target target;
   /// Looks at the boxes of a group, or at one box.
-  void (*look)(const DrawView& view, const ClusterGroup& group, const reference::PixelBox& window, const Skips& skips, BoxSight* out);
+  void (*look)(const DrawView& view, const ClusterGroup& group, const reference::PixelBox& window, const Skips& skips,
+               BoxSight* out);
   /// x, y, z [n, padded]
   void (*transform)(const DrawView& view, const float* x, const float* y, const float* z, int n,
                     std::int32_t origin_x_fx8, std::int32_t origin_y_fx8, WindowVertices128* out);
@@ -202,8 +203,8 @@ struct Kernels {
   bool (*hidden)(TileBuffers& tile, const reference::PixelBox& pixels, float nearest);
   /// Of n of the cluster's triangles, corners at most 64 px apart.
   void (*make_records)(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records);
-  /// Bytes of a 4×4 whose first pixel in the tile is given; each sample has its record. Returns the samples, a bit each,
-  /// that must be shaded exactly instead.
+  /// Bytes of a 4×4 whose first pixel in the tile is given; each sample has its record. Returns the samples, a bit
+  /// each, that must be shaded exactly instead.
   std::uint32_t (*shade_records)(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,
                                  std::uint32_t* bytes);
   void (*resolve_records)(const ResolveJob& job);
@@ -212,8 +213,9 @@ struct Kernels {
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).
   void (*store_bytes)(const float* rgba, std::uint32_t* bytes);
-  /// Bytes [16] of a 4×4's samples in `lanes` (bit 4·y + x; at least one), each covered by the triangle; what the others
-  /// become is not said. x_fx8, y_fx8: the first sample, from the tile's corner. Returns how many texels were read.
+  /// Bytes [16] of a 4×4's samples in `lanes` (bit 4·y + x; at least one), each covered by the triangle; what the
+  /// others become is not said. x_fx8, y_fx8: the first sample, from the tile's corner. Returns how many texels were
+  /// read.
   std::uint64_t (*shade_textured)(const TexturedTriangle& triangle, int x_fx8, int y_fx8, std::uint32_t lanes,
                                   std::uint32_t* bytes);
   /// Draws the triangle's samples into the tile's colours and adds to the counts.

@@ -58,8 +58,10 @@ HWY_INLINE void LoadTransposed(const float* const* from, hn::Vec<Floats> (&out)[
   const Floats f;
   const hn::RepartitionToWide<Floats> pairs;
   const auto a = FoursFrom(f, from), b = FoursFrom(f, from + 1), c = FoursFrom(f, from + 2), d = FoursFrom(f, from + 3);
-  const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(f, a, b)), ab_high = hn::BitCast(pairs, hn::InterleaveUpper(f, a, b));
-  const auto cd_low = hn::BitCast(pairs, hn::InterleaveLower(f, c, d)), cd_high = hn::BitCast(pairs, hn::InterleaveUpper(f, c, d));
+  const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(f, a, b)),
+             ab_high = hn::BitCast(pairs, hn::InterleaveUpper(f, a, b));
+  const auto cd_low = hn::BitCast(pairs, hn::InterleaveLower(f, c, d)),
+             cd_high = hn::BitCast(pairs, hn::InterleaveUpper(f, c, d));
   out[0] = hn::BitCast(f, hn::InterleaveLower(pairs, ab_low, cd_low));
   out[1] = hn::BitCast(f, hn::InterleaveUpper(pairs, ab_low, cd_low));
   out[2] = hn::BitCast(f, hn::InterleaveLower(pairs, ab_high, cd_high));

@@ -1,6 +1,5 @@
-// Triangles of any size, by themselves: edge values in double, where they are exact; blocks of 8×8 skipped by edges and by
-// depth.
-// Compiled once for each instruction set (Highway's re-included headers).
+// Triangles of any size, by themselves: edge values in double, where they are exact; blocks of 8×8 skipped by edges and
+// by depth. Compiled once for each instruction set (Highway's re-included headers).
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +15,9 @@
 #endif
 
 #include "raster/fast/depth-inl.h"
+#include "raster/fast/lanes-inl.h"
 #include "raster/fast/medium-inl.h"
 #include "raster/fast/plane-inl.h"
-#include "raster/fast/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -73,7 +72,7 @@ HWY_INLINE hn::Vec<HalfFloats> DividedDepths(const LargeSetup& s, const hn::Vec<
 struct LargeWalk {
   alignas(64) double edge_lane[3][16];  ///< of a 4×4
   alignas(64) double depth_lane[16];
-  double base[3];   ///< edges at the first sample of the first block
+  double base[3];            ///< edges at the first sample of the first block
   double most[3], least[3];  ///< from a block's first sample to its best and its worst
   double z, z_right, z_down, z_gain, z_error;
 };
@@ -119,7 +118,8 @@ HWY_INLINE LargeSamples SampleHalf(const LargeSetup& s, const LargeWalk& walk, c
                 hn::And(hn::Gt(ly, hn::Set(hi, s.begin_y - y_px - 1)), hn::Lt(ly, hn::Set(hi, s.end_y - y_px))));
     out.inside = hn::And(hn::VecFromMask(hi, in_box), hn::DemoteTo(hi, hn::IfThenElseZero(in, hn::Set(d, -1.0))));
   }
-  const RoundedDepths r = RoundBoth(hn::Add(hn::Set(d, z), hn::Load(d, walk.depth_lane + at)), hn::Set(d, walk.z_error));
+  const RoundedDepths r =
+      RoundBoth(hn::Add(hn::Set(d, z), hn::Load(d, walk.depth_lane + at)), hn::Set(d, walk.z_error));
   out.depth = r.low;
   if (HWY_UNLIKELY(!hn::AllFalse(hf, hn::Ne(r.low, r.high)))) {
     for (int k = 0; k < 3; ++k) edges[k] = hn::Add(hn::Set(d, e[k]), hn::Load(d, walk.edge_lane[k] + at));
@@ -142,7 +142,8 @@ HWY_INLINE int DrawQuarter(const RasterJob& job, const LargeSetup& s, const Larg
     const auto n = hn::CountTrue(di, inside);
     counts.fragments += n;
     if (n == 0) continue;
-    passed += KeepNearer(job, tile, place + int(l), hn::RebindMask(f, inside), BothHalves(f, first.depth, second.depth), s.owner);
+    passed += KeepNearer(job, tile, place + int(l), hn::RebindMask(f, inside), BothHalves(f, first.depth, second.depth),
+                         s.owner);
   }
   return passed;
 }

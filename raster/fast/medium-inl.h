@@ -14,9 +14,9 @@
 #endif
 
 #include "raster/fast/edges-inl.h"
+#include "raster/fast/lanes-inl.h"
 #include "raster/fast/plane-inl.h"
 #include "raster/fast/sift-inl.h"
-#include "raster/fast/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -89,8 +89,9 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
     row[k] = setups.at[k][s], right[k] = 4 * x, down[k] = 4 * y;
     most[k] = 3 * (std::max(x, 0) + std::max(y, 0));
     for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
-      hn::Store(hn::Add(hn::Mul(hn::Set(di, x), hn::Load(di, kLaneX + l)), hn::Mul(hn::Set(di, y), hn::Load(di, kLaneY + l))),
-                di, edge_lane[k] + l);
+      hn::Store(
+          hn::Add(hn::Mul(hn::Set(di, x), hn::Load(di, kLaneX + l)), hn::Mul(hn::Set(di, y), hn::Load(di, kLaneY + l))),
+          di, edge_lane[k] + l);
     }
   }
   alignas(64) double depth_lane[16];
@@ -188,7 +189,8 @@ int RasterizeMedium(const RasterJob& job, const TriangleList& list, TileBuffers&
       MediumTriangle t;
       t.owner = job.first_owner + std::uint32_t(list.triangle[first + i]);
       for (int k = 0; k < 3; ++k) t.cx[k] = list.x[k][first + i], t.cy[k] = list.y[k][first + i], t.cz[k] = z[k][i];
-      t.begin_x = setups.begin_x[i], t.begin_y = setups.begin_y[i], t.end_x = setups.end_x[i], t.end_y = setups.end_y[i];
+      t.begin_x = setups.begin_x[i], t.begin_y = setups.begin_y[i], t.end_x = setups.end_x[i],
+      t.end_y = setups.end_y[i];
       if (t.begin_x >= t.end_x || t.begin_y >= t.end_y) continue;
       passed += WalkBlocks(job, setups, i, t, tile, counts);
     }

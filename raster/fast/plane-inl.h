@@ -14,14 +14,15 @@
 #endif
 
 #include <utility>
+
 #include "raster/fast/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
-/// The depth of C5, ((E₀·z₀ + E₁·z₁) + E₂·z₂) / ΣE clamped to the corners' range and rounded to float once, with E exact
-/// and the corners in canonical order.
+/// The depth of C5, ((E₀·z₀ + E₁·z₁) + E₂·z₂) / ΣE clamped to the corners' range and rounded to float once, with E
+/// exact and the corners in canonical order.
 HWY_INLINE float ExactDepth(const std::int32_t (&x)[3], const std::int32_t (&y)[3], const double (&z)[3],
                             std::int32_t px, std::int32_t py) {
   int order[3] = {0, 1, 2};
@@ -57,8 +58,8 @@ HWY_INLINE RoundedDepths RoundBoth(hn::Vec<Doubles> z, hn::Vec<Doubles> error) {
   return {hn::DemoteTo(f, hn::Sub(z, error)), hn::DemoteTo(f, hn::Add(z, error))};
 }
 
-/// Share of the sum of absolute terms that bounds a plane's error and C5's own: each is made of less than twenty rounded
-/// operations on terms of which none is greater than that sum (depths are at most 1).
+/// Share of the sum of absolute terms that bounds a plane's error and C5's own: each is made of less than twenty
+/// rounded operations on terms of which none is greater than that sum (depths are at most 1).
 constexpr double kPlaneError = 0x1p-47;
 
 }  // namespace HWY_NAMESPACE

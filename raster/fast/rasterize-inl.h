@@ -13,11 +13,11 @@
 #define LODE_RASTER_FAST_RASTERIZE_INL_H_
 #endif
 
+#include "raster/fast/lanes-inl.h"
 #include "raster/fast/large-inl.h"
 #include "raster/fast/medium-inl.h"
 #include "raster/fast/sift-inl.h"
 #include "raster/fast/tiny-inl.h"
-#include "raster/fast/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -32,11 +32,11 @@ bool TakeOut(const RasterJob& job, int t, RasterCounts& counts, LoneTriangle& ou
                  cy = v.y_fx8(c[2]);
     const double area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     const double wanted = job.cull == Cull::back ? -area : area;
-    const double extents = (std::max({ax, bx, cx}) - std::min({ax, bx, cx})) + (std::max({ay, by, cy}) - std::min({ay, by, cy}));
+    const double extents =
+        (std::max({ax, bx, cx}) - std::min({ax, bx, cx})) + (std::max({ay, by, cy}) - std::min({ay, by, cy}));
     const int side = job.cull == Cull::back ? 1 : -1;
     if (wanted == 0.0) return ++counts.empty, false;
-    if (wanted < 0.0 || (wanted <= 2.0 * extents + 4.0 &&
-                         job.facing_sign(job.context, std::uint32_t(t)) * side <= 0)) {
+    if (wanted < 0.0 || (wanted <= 2.0 * extents + 4.0 && job.facing_sign(job.context, std::uint32_t(t)) * side <= 0)) {
       return ++counts.facing, false;
     }
   }

@@ -1,7 +1,6 @@
 // Colours of vertices across triangles, for bytes: each visible triangle's colours become planes once, and each sample
-// is a quotient of planes. Where the quotient is too near to a rounding boundary to tell the byte of C7 and C8, the sample
-// is left to the exact way.
-// Compiled once for each instruction set (Highway's re-included headers).
+// is a quotient of planes. Where the quotient is too near to a rounding boundary to tell the byte of C7 and C8, the
+// sample is left to the exact way. Compiled once for each instruction set (Highway's re-included headers).
 
 #include <algorithm>
 #include <cstdint>
@@ -17,8 +16,8 @@
 #endif
 
 #include "raster/fast/edges-inl.h"
-#include "raster/fast/sift-inl.h"
 #include "raster/fast/lanes-inl.h"
+#include "raster/fast/sift-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -61,7 +60,8 @@ void MakeSomeRecords(const RecordJob& job, const float* const (&a)[3][16], const
     return hn::Min(hn::Set(di, kTile_px - 1), hn::ShiftRight<8>(hn::Sub(Most(v[0], v[1], v[2]), sample)));
   };
   // The reference pixel is the middle of the box.
-  const auto low_x = first(x, sample_x), high_x = last(x, sample_x), low_y = first(y, sample_y), high_y = last(y, sample_y);
+  const auto low_x = first(x, sample_x), high_x = last(x, sample_x), low_y = first(y, sample_y),
+             high_y = last(y, sample_y);
   const auto ref_x = hn::ShiftRight<1>(hn::Add(low_x, high_x)), ref_y = hn::ShiftRight<1>(hn::Add(low_y, high_y));
   const auto reach_x = hn::ConvertTo(f, hn::Max(hn::Sub(high_x, ref_x), hn::Sub(ref_x, low_x)));
   const auto reach_y = hn::ConvertTo(f, hn::Max(hn::Sub(high_y, ref_y), hn::Sub(ref_y, low_y)));
@@ -78,8 +78,8 @@ void MakeSomeRecords(const RecordJob& job, const float* const (&a)[3][16], const
   auto terms = hn::Zero(f);
   for (int k = 0; k < 3; ++k) {
     at[k] = hn::Mul(at[k], inverse), right[k] = hn::Mul(right[k], inverse), down[k] = hn::Mul(down[k], inverse);
-    terms = hn::Add(terms, hn::Add(hn::Abs(at[k]), hn::Add(hn::Mul(reach_x, hn::Abs(right[k])),
-                                                           hn::Mul(reach_y, hn::Abs(down[k])))));
+    terms = hn::Add(terms, hn::Add(hn::Abs(at[k]),
+                                   hn::Add(hn::Mul(reach_x, hn::Abs(right[k])), hn::Mul(reach_y, hn::Abs(down[k])))));
   }
   const auto d_right = sum_of(right), d_down = sum_of(down);
   auto most = hn::Zero(f);
@@ -254,7 +254,8 @@ void ResolveRecords(const ResolveJob& job) {
       std::uint32_t inside = 0xFFFF;
       if (job.width_px - x < 4 || job.height_px - y < 4) {
         inside = 0;
-        for (int k = 0; k < 16; ++k) inside |= x + (k & 3) < job.width_px && y + (k >> 2) < job.height_px ? 1u << k : 0u;
+        for (int k = 0; k < 16; ++k)
+          inside |= x + (k & 3) < job.width_px && y + (k >> 2) < job.height_px ? 1u << k : 0u;
       }
       ResolveBlock(job, x, y, inside);
     }

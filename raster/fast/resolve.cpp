@@ -199,7 +199,6 @@ class Resolver {
     }
     ColorRecord record{};
     for (int c = 0; c < 4; ++c) {
-      glm::dvec3 value, value_right, value_down;
       double v = 0.0, v_right = 0.0, v_down = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         double corner = 0.0;
@@ -216,7 +215,8 @@ class Resolver {
         }
         v += at[k] * corner, v_right += right[k] * corner, v_down += down[k] * corner;
       }
-      record.quads[1][c] = float(v / sum), record.quads[2][c] = float(v_right / sum), record.quads[3][c] = float(v_down / sum);
+      record.quads[1][c] = float(v / sum), record.quads[2][c] = float(v_right / sum),
+      record.quads[3][c] = float(v_down / sum);
     }
     record.quads[0][0] = float(d_right / sum), record.quads[0][1] = float(d_down / sum);
     const glm::ivec2 in_tile = middle - box_.begin_px;
@@ -291,7 +291,8 @@ class Resolver {
     const Lanes doubtful = scene_.kernels->shade_records(w_.records.get(), index.data(), x, y, bytes.data()) & lanes;
     for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
     for_each_lane(doubtful, [&](std::uint32_t k) {
-      w_.doubtful[n_doubtful_++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)), std::uint16_t(y + int(k >> 2))};
+      w_.doubtful[n_doubtful_++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)),
+                                    std::uint16_t(y + int(k >> 2))};
     });
     return lanes;
   }
@@ -310,7 +311,8 @@ class Resolver {
       depths[n] = w_.tile->depth[base + k];
       pixels[n++] = box_.begin_px + glm::ivec2(x + int(k & 3), y + int(k >> 2));
     });
-    const std::uint32_t draw_index = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit).draw : owners_.fast_draw(owner).draw;
+    const std::uint32_t draw_index =
+        owner & kPieceBit ? owners_.piece(owner & ~kPieceBit).draw : owners_.fast_draw(owner).draw;
     if (can_texture(scene_.frame->draws[draw_index], format_) && shade_textured(owner, x, y, base, lanes)) return lanes;
     Piece made;
     if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
@@ -348,8 +350,8 @@ class Resolver {
       kept = {owner, make_textured(scene_.frame->draws[p.draw], p, box_.begin_px)};
     }
     std::array<std::uint32_t, 16> bytes;
-    w_.stats.texels_read += scene_.kernels->shade_textured(kept.triangle, x * 256 + sample_fx8_.x, y * 256 + sample_fx8_.y,
-                                                           lanes, bytes.data());
+    w_.stats.texels_read += scene_.kernels->shade_textured(kept.triangle, x * 256 + sample_fx8_.x,
+                                                           y * 256 + sample_fx8_.y, lanes, bytes.data());
     for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
     return true;
   }
@@ -390,8 +392,8 @@ class Resolver {
         const glm::ivec2 px = box_.begin_px + glm::ivec2(d.x_px, d.y_px);
         glm::vec4 rgba;
         FrameStats counted_already;
-        reference::shade(scene_.frame->draws[p.draw], p, format_, {{&px, 1}, {&w_.tile->depth[d.place], 1}, sample_fx8_},
-                         &rgba, counted_already);
+        reference::shade(scene_.frame->draws[p.draw], p, format_,
+                         {{&px, 1}, {&w_.tile->depth[d.place], 1}, sample_fx8_}, &rgba, counted_already);
         store(d.place, rgba);
         continue;
       }

@@ -87,7 +87,8 @@ void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport&
     }
   }
   // A pixel is covered if its sample, anywhere in it, is.
-  unclean.pixels = intersect({{(low.x >> 8) - 1, (low.y >> 8) - 1}, {(high.x >> 8) + 1, (high.y >> 8) + 1}}, fast.limits);
+  unclean.pixels =
+      intersect({{(low.x >> 8) - 1, (low.y >> 8) - 1}, {(high.x >> 8) + 1, (high.y >> 8) + 1}}, fast.limits);
   if ((unclean.wanted[0] | unclean.wanted[1]) != 0 && !unclean.pixels.empty()) fast.unclean.push_back(unclean);
 }
 
@@ -113,7 +114,8 @@ void look_at_draw(const Scene& scene, FastDraw& fast) {
   fast.nearest = 2.0f;
   if (fast.clusters->groups.empty()) return;
   ClusterGroup box{};
-  for (int axis = 0; axis < 3; ++axis) box.low[axis][0] = fast.clusters->low[axis], box.high[axis][0] = fast.clusters->high[axis];
+  for (int axis = 0; axis < 3; ++axis)
+    box.low[axis][0] = fast.clusters->low[axis], box.high[axis][0] = fast.clusters->high[axis];
   box.n = 1;
   std::array<BoxSight, ClusterGroup::kMost> sights;
   Skips skips = scene.options->skips;
@@ -174,13 +176,15 @@ void bin_rows(Scene& scene) {
   const auto n_rows = std::size_t((scene.size_px.y + kTile_px - 1) / kTile_px);
   scene.row_first.assign(n_rows + 1, 0);
   const auto for_each_row = [](const Piece& p, auto visit) {
-    for (int r = p.bounds_px.begin_px.y / kTile_px; r <= (p.bounds_px.end_px.y - 1) / kTile_px; ++r) visit(std::size_t(r));
+    for (int r = p.bounds_px.begin_px.y / kTile_px; r <= (p.bounds_px.end_px.y - 1) / kTile_px; ++r)
+      visit(std::size_t(r));
   };
   for (const Piece& p : scene.assembly.pieces) for_each_row(p, [&](std::size_t r) { ++scene.row_first[r + 1]; });
   for (std::size_t r = 0; r < n_rows; ++r) scene.row_first[r + 1] += scene.row_first[r];
   scene.row_pieces.resize(scene.row_first[n_rows]);
   for (std::size_t i = 0; i < scene.assembly.pieces.size(); ++i) {
-    for_each_row(scene.assembly.pieces[i], [&](std::size_t r) { scene.row_pieces[scene.row_first[r]++] = std::uint32_t(i); });
+    for_each_row(scene.assembly.pieces[i],
+                 [&](std::size_t r) { scene.row_pieces[scene.row_first[r]++] = std::uint32_t(i); });
   }
   for (std::size_t r = n_rows; r > 0; --r) scene.row_first[r] = scene.row_first[r - 1];
   scene.row_first[0] = 0;

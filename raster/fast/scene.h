@@ -15,7 +15,8 @@ using reference::Assembly;
 using reference::Piece;
 using reference::PixelBox;
 
-/// A cluster that reaches beyond a clip plane. Its triangles that do not are drawn by the kernels, the others as pieces.
+/// A cluster that reaches beyond a clip plane. Its triangles that do not are drawn by the kernels, the others as
+/// pieces.
 struct UncleanCluster {
   std::uint32_t cluster = 0;
   std::array<std::uint64_t, 2> wanted{};  ///< bit k: triangle k is the kernels'
@@ -50,9 +51,9 @@ struct Scene {
   std::vector<Clusters> made;  ///< for draws that brought none
   std::vector<reference::Selection> selections;
   Assembly assembly;
-  std::vector<std::size_t> row_first;       ///< [rows of tiles + 1]
-  std::vector<std::uint32_t> row_pieces;    ///< pieces that may touch each row, in order
-  std::size_t n_boxes = 0;                  ///< groups, clusters and draws: no more can wait at once
+  std::vector<std::size_t> row_first;     ///< [rows of tiles + 1]
+  std::vector<std::uint32_t> row_pieces;  ///< pieces that may touch each row, in order
+  std::size_t n_boxes = 0;                ///< groups, clusters and draws: no more can wait at once
   FrameStats stats;
 
   [[nodiscard]] std::span<const std::uint32_t> row(std::size_t r) const {

@@ -53,8 +53,8 @@ struct TriangleList {
 constexpr int kTinyWidth = 4, kFlatHeight = 4, kTallHeight = 8;
 
 struct Sifted {
-  TriangleList flat, tall;  ///< tiny
-  TriangleList medium;      ///< corners at most 64 px apart
+  TriangleList flat, tall;                    ///< tiny
+  TriangleList medium;                        ///< corners at most 64 px apart
   std::int32_t others[kMaxClusterTriangles];  ///< larger, or so thin that their facing is in doubt
   int n_others = 0;
 };

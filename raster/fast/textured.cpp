@@ -75,7 +75,7 @@ void set_slopes(TexturedTriangle& t, const glm::dvec2& size_px) {
 /// 18ε·U·M, and N/D by 38ε·U·M·R, as D ≥ 1/R inside. The reference's own u is off by 12ε·U. Together below 2^-45·U·M·R.
 /// Likewise a numerator of a derivative is off by 2^7·ε·P·U·M, the derivative by that times R², the reference's by
 /// less; ρ by 2^-44·P·U·M·R² texels, times the size, and as only ρ ≥ 0.99 matters (below, λ < 0), ρ² by the relative
-/// `eta`; d(128·log2 ρ²) is 185 times that. 2^-12 is for the kernels' single precision (texture-inl.h).
+/// `eta`; d(128·log2 ρ²) is 185 times that. 2^-12 is for the kernels' single precision (lambda-inl.h).
 void set_margins(TexturedTriangle& t, const Magnitudes& most, double size_px) {
   const double uv_error = 0x1p-45 * most.uv * most.weights * most.ratio;
   const double eta = t.sampler.filter != Filter::trilinear

@@ -14,7 +14,13 @@ namespace {
 class TileDrawer {
  public:
   TileDrawer(const Scene& scene, Worker& worker, Image& image, const PixelBox& box, std::size_t row)
-      : scene_(scene), w_(worker), owners_(scene, worker, box), image_(image), box_(box), row_(row), format_(image.format) {
+      : scene_(scene),
+        w_(worker),
+        owners_(scene, worker, box),
+        image_(image),
+        box_(box),
+        row_(row),
+        format_(image.format) {
     size_ = box.end_px - box.begin_px;
     has_color_ = !image.rgba8.empty() || !image.rgba32f.empty();
   }
@@ -39,8 +45,12 @@ class TileDrawer {
   }
 
  private:
-  [[nodiscard]] const Draw& draw_of(std::uint32_t piece) const { return scene_.frame->draws[owners_.piece(piece).draw]; }
-  [[nodiscard]] bool touches(std::uint32_t piece) const { return !intersect(owners_.piece(piece).bounds_px, box_).empty(); }
+  [[nodiscard]] const Draw& draw_of(std::uint32_t piece) const {
+    return scene_.frame->draws[owners_.piece(piece).draw];
+  }
+  [[nodiscard]] bool touches(std::uint32_t piece) const {
+    return !intersect(owners_.piece(piece).bounds_px, box_).empty();
+  }
   [[nodiscard]] std::size_t place_of(glm::ivec2 px) const {
     return std::size_t(place_in_tile(px.x - box_.begin_px.x, px.y - box_.begin_px.y));
   }
@@ -251,16 +261,18 @@ class TileDrawer {
   void draw_order_free(std::uint32_t index) {
     const std::uint32_t owner = index | kPieceBit;
     TileBuffers& tile = *w_.tile;
-    for_each_fragment(owners_.piece(index), draw_of(index), [&](std::size_t i, glm::ivec2, float depth, const glm::vec4&) {
-      const bool wins = depth > tile.depth[i] || (depth == tile.depth[i] && owners_.key_before(owner, tile.owner[i]));
-      if (!wins) {
-        ++w_.stats.fragments_depth_failed;
-        return;
-      }
-      tile.depth[i] = depth;
-      tile.owner[i] = owner;
-      tile.stale[i / 64] = 1;
-    });
+    for_each_fragment(
+        owners_.piece(index), draw_of(index), [&](std::size_t i, glm::ivec2, float depth, const glm::vec4&) {
+          const bool wins =
+              depth > tile.depth[i] || (depth == tile.depth[i] && owners_.key_before(owner, tile.owner[i]));
+          if (!wins) {
+            ++w_.stats.fragments_depth_failed;
+            return;
+          }
+          tile.depth[i] = depth;
+          tile.owner[i] = owner;
+          tile.stale[i / 64] = 1;
+        });
   }
 
   void draw_in_order(std::uint32_t index) {
@@ -342,7 +354,8 @@ class TileDrawer {
   }
 
   void write() {
-    const std::size_t first = std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+    const std::size_t first =
+        std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
     WriteJob job{.pitch_px = std::size_t(image_.size_px.x), .width_px = size_.x, .height_px = size_.y};
     if (!image_.rgba8.empty()) {
       job.from = w_.rgba8.data(), job.to = &image_.rgba8[first];

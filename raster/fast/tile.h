@@ -23,8 +23,8 @@ inline constexpr std::size_t kMostRecords = 2 * kTilePixels;
 struct Waiting {
   float nearest = 0.0f;
   std::uint32_t fast_draw = 0;
-  std::uint32_t child = 0;        ///< as in ClusterGroup
-  std::int32_t unclean = -1;      ///< which of the draw's unclean clusters
+  std::uint32_t child = 0;                                       ///< as in ClusterGroup
+  std::int32_t unclean = -1;                                     ///< which of the draw's unclean clusters
   std::uint16_t begin_x = 0, begin_y = 0, end_x = 0, end_y = 0;  ///< pixels of the tile
   friend bool operator<(const Waiting& a, const Waiting& b) {
     if (a.nearest != b.nearest) return a.nearest < b.nearest;
@@ -41,19 +41,19 @@ struct TileBytes {
 struct Worker {
   std::unique_ptr<TileBuffers> tile;
   std::vector<Waiting> heap;
-  std::vector<Resident> residents;                 ///< of the slots in use
+  std::vector<Resident> residents;  ///< of the slots in use
   std::vector<std::uint32_t> free_slots;
-  std::unique_ptr<WindowVertices128[]> vertices;   ///< [kSlots]
-  std::unique_ptr<std::uint8_t[]> visible;         ///< [kSlots · 128 + 1] 1: owns a sample
-  std::unique_ptr<std::uint32_t[]> record_of;      ///< [kSlots · 128] of visible triangles of flat draws
-  std::unique_ptr<CornerRecord[]> corners;         ///< [128] of one cluster
-  std::unique_ptr<ColorRecord[]> records;          ///< [kMostRecords]
-  std::unique_ptr<Doubtful[]> doubtful;            ///< [kTilePixels]
+  std::unique_ptr<WindowVertices128[]> vertices;  ///< [kSlots]
+  std::unique_ptr<std::uint8_t[]> visible;        ///< [kSlots · 128 + 1] 1: owns a sample
+  std::unique_ptr<std::uint32_t[]> record_of;     ///< [kSlots · 128] of visible triangles of flat draws
+  std::unique_ptr<CornerRecord[]> corners;        ///< [128] of one cluster
+  std::unique_ptr<ColorRecord[]> records;         ///< [kMostRecords]
+  std::unique_ptr<Doubtful[]> doubtful;           ///< [kTilePixels]
   std::vector<Ids> ids;
   std::unique_ptr<TileBytes> bytes;
-  std::span<glm::u8vec4> rgba8;                    ///< in `bytes`; empty if the image has none
+  std::span<glm::u8vec4> rgba8;  ///< in `bytes`; empty if the image has none
   std::vector<glm::vec4> rgba32f;
-  std::vector<glm::uvec4> sum_rgba8;     ///< over samples, if there are several
+  std::vector<glm::uvec4> sum_rgba8;  ///< over samples, if there are several
   std::vector<glm::dvec4> sum_rgba32f;
   FrameStats stats;
   RasterCounts counts;

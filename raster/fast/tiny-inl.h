@@ -14,9 +14,9 @@
 #endif
 
 #include "raster/fast/edges-inl.h"
+#include "raster/fast/lanes-inl.h"
 #include "raster/fast/plane-inl.h"
 #include "raster/fast/sift-inl.h"
-#include "raster/fast/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
@@ -152,8 +152,8 @@ int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& t
           for (int k = 0; k < 3; ++k) cx[k] = list.x[k][first + l], cy[k] = list.y[k][first + l], cz[k] = z[k][l];
           alignas(64) std::int32_t begin_x[16], begin_y[16];
           hn::StoreU(px, di, begin_x), hn::StoreU(py, di, begin_y);
-          fragments.depth[f + half + i] = ExactDepth(cx, cy, cz, begin_x[l] + (code >> 4 & (kTinyWidth - 1)) * 256,
-                                                     begin_y[l] + (code >> 6) * 256);
+          fragments.depth[f + half + i] =
+              ExactDepth(cx, cy, cz, begin_x[l] + (code >> 4 & (kTinyWidth - 1)) * 256, begin_y[l] + (code >> 6) * 256);
         }
       }
     }

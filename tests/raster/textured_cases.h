@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raster/fast/kernels.h"
+#include "raster/fast/textured.h"
 #include "texture_cases.h"
 
 namespace lode::raster::test {
@@ -37,16 +38,26 @@ struct TexturedCase {
   return corners;
 }
 
-/// A few texels across the tile, or many; sometimes on a grid, where coordinates meet ties, or all the same.
+/// A few texels across the tile, or many; sometimes on a grid, where coordinates meet ties, or all the same. Half of
+/// them are as if most of a picture of 256 texels a side were across a tile, away from its edges.
 inline void set_random_uvs(HashedNumbers& random, TexturedCase& c) {
   const double scale = random.of_magnitude(-12, 7);
   const std::uint32_t kind = random.below(8);
+  const glm::vec2 centre = {float(random.unit()), float(random.unit())};
+  const glm::ivec2 origin_fx8 = c.tile_origin_px * 256 + 64 * 256;
+  const auto& corners = std::get<reference::Triangle>(c.piece.shape).v;
   for (int k = 0; k < 3; ++k) {
     glm::vec2 uv = {float((random.unit() - 0.5) * scale), float((random.unit() - 0.5) * scale)};
     if (kind == 0) uv = {float(random.between(-2, 2)), float(random.between(-2, 2))};
     if (kind == 1) uv = {float(random.between(-512, 512)) / 256.0f, float(random.between(-512, 512)) / 512.0f};
     if (kind == 2 && k > 0) uv = c.uvs[0];
     if (kind == 3) uv += 1000.0f;
+    if (kind >= 4) {
+      const auto place = std::find(c.piece.vertices.begin(), c.piece.vertices.end(), std::uint32_t(k));
+      const glm::ivec2 p_fx8 = corners[std::size_t(place - c.piece.vertices.begin())].p_fx8;
+      const glm::vec2 p = glm::vec2(p_fx8 - origin_fx8) / 65536.0f;
+      uv = centre + float(kind - 3) * 0.4f * glm::vec2(p.x - 0.7f * p.y, 0.6f * p.x + p.y);
+    }
     c.uvs.push_back(uv);
   }
 }
