@@ -128,8 +128,8 @@ TEST(FastCounters, AGridThatFacesAwayIsOneBoxFacing) {
 // One triangle of each facing, far apart, so one cluster; its cone has no use.
 TEST(FastCounters, ATriangleThatFacesAwayIsCountedByItself) {
   CounterScene scene;
-  scene.add({{10, 10, 0.5f}, {10, 20, 0.5f}, {20, 10, 0.5f}, {110, 110, 0.5f}, {120, 110, 0.5f}, {110, 120, 0.5f}}).draw.cull =
-      Cull::back;
+  scene.add({{10, 10, 0.5f}, {10, 20, 0.5f}, {20, 10, 0.5f}, {110, 110, 0.5f}, {120, 110, 0.5f}, {110, 120, 0.5f}})
+      .draw.cull = Cull::back;
   const FrameStats stats = scene.render();
   EXPECT_EQ(stats.clusters_drawn, 1u);
   EXPECT_EQ(stats.triangles_facing, 1u);

@@ -29,7 +29,7 @@ TEST(FastPictures, OfTheDeterminismProductAreTheReferences) {
 
 TEST(FastPictures, OfTheFrameWithEverythingAreTheReferences) {
   for (const ColorFormat format : {ColorFormat::rgba8, ColorFormat::rgba32f}) {
-    SmallScene scene({300, 170}, format);
+    SmallScene scene({150, 90}, format);
     add_everything(scene);
     scene.frame.draws = scene.draws;
     for (const Target target : kTargets) {

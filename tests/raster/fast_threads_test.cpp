@@ -1,5 +1,5 @@
-// Frames of several tiles on many threads, again and again: the same bytes and counters. The tsan preset runs this under
-// a scheduler that yields at random (parallel_std.cpp).
+// Frames of several tiles on many threads, again and again: the same bytes and counters. The tsan preset runs this
+// under a scheduler that yields at random (parallel_std.cpp).
 #include <thread>
 
 #include "fast_equality.h"
@@ -8,14 +8,14 @@ namespace lode::raster::test {
 namespace {
 
 TEST(FastThreads, GiveTheSameBytesAndCountersInAnyOrder) {
-  for (const std::uint64_t seed : {21u, 22u, 23u, 24u, 25u, 26u}) {
+  for (const std::uint64_t seed : {21u, 22u, 23u}) {
     const OwnedFrame frame = random_frame(seed, FrameSize::several_tiles);
     Image one = frame.image(), many = frame.image();
     const std::string counters = text_of(frame.render(one, {.threads = 1}));
     FrameMemory memory;
     RenderOptions options;
     options.memory = &memory;
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 5; ++k) {
       options.threads = kThreads[std::size_t(k) % kThreads.size()];
       EXPECT_EQ(text_of(frame.render(many, options)), counters) << seed << ", " << options.threads << " threads";
       EXPECT_EQ(first_difference(many, one), "") << seed << ", " << options.threads << " threads";

@@ -22,7 +22,8 @@ constexpr glm::ivec2 kSize_px{512, 512};
 std::vector<std::string> model_files(const std::string& folder) {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && geometry::is_model_file(entry.path().string())) paths.push_back(entry.path().string());
+    if (entry.is_regular_file() && geometry::is_model_file(entry.path().string()))
+      paths.push_back(entry.path().string());
   }
   std::sort(paths.begin(), paths.end());
   return paths;
