@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "random_frame.h"
+#include "owned_frame.h"
 
 namespace lode::raster::test {
 

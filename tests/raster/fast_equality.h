@@ -6,7 +6,7 @@
 #include <array>
 
 #include "fast_difference.h"
-#include "random_draws.h"
+#include "random_frame.h"
 #include "small_scene.h"
 
 namespace lode::raster::test {

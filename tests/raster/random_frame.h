@@ -1,104 +1,44 @@
 #pragma once
-/// Frames of mixed primitives and states that own what they borrow, so that draws and primitives can be taken out of
-/// them until only those are left that matter.
+/// Random frames: a few random draws with a size, a format, a viewport, a scissor and samples, all from one seed.
 
-#include <memory>
-#include <vector>
-
-#include "hashed_numbers.h"
-#include "raster/render.h"
+#include "random_draws.h"
 
 namespace lode::raster::test {
 
-/// A draw and its arrays. The state is in `draw`; bind() makes its spans.
-struct OwnedDraw {
-  Draw draw;
-  std::vector<glm::vec3> object;  ///< one of the three has the positions
-  std::vector<glm::dvec4> clip;
-  std::vector<glm::dvec3> window;
-  glm::dmat4 clip_from_object{1.0};
-  std::vector<glm::vec4> colors;
-  std::vector<glm::vec3> normals;
-  std::vector<glm::vec2> uvs;
-  std::vector<float> radii;
-  std::vector<std::uint32_t> indices;
-  bool indexed = false;
-  bool clustered = false;  ///< brings clusters of its own
-  std::unique_ptr<Clusters> clusters;
+enum class FrameSize : std::uint8_t { one_tile, several_tiles };
 
-  [[nodiscard]] std::size_t n_positions() const { return object.size() + clip.size() + window.size(); }
-
-  void bind() {
-    if (!clip.empty()) {
-      draw.vertices = ClipVertices{clip};
-    } else if (!window.empty()) {
-      draw.vertices = WindowVertices{window};
-    } else {
-      draw.vertices = ObjectVertices{object, clip_from_object};
-    }
-    draw.indices.reset();
-    if (indexed) draw.indices = indices;
-    draw.colors = colors, draw.normals = normals, draw.uvs = uvs, draw.radii = radii;
-    if (clustered) clusters = std::make_unique<Clusters>(make_clusters(object, draw.indices, 1));
-    draw.clusters = clustered ? clusters.get() : nullptr;
+/// Frame `seed`: up to six draws, at most about 200 primitives; at times a draw of several hundred without clusters.
+[[nodiscard]] inline OwnedFrame random_frame(std::uint64_t seed, FrameSize size) {
+  HashedNumbers random(seed);
+  OwnedFrame frame;
+  if (size == FrameSize::several_tiles) {
+    frame.size_px = {random.between(129, 300), random.between(100, 200)};
+  } else if (random.below(8) == 0) {
+    frame.size_px = {random.between(1, 90), random.between(1, 90)};
   }
-};
-
-/// Vertices that make one primitive; of a strip, those of the first segment are two.
-[[nodiscard]] inline std::size_t vertices_each(Topology topology) {
-  switch (topology) {
-    case Topology::triangles:
-      return 3;
-    case Topology::quads:
-      return 4;
-    case Topology::lines:
-      return 2;
-    default:
-      return 1;
+  if (random.below(3) == 0) frame.format = ColorFormat::rgba32f;
+  const float full = frame.format == ColorFormat::rgba8 ? 255.0f : 1.0f;
+  for (int c = 0; c < 4; ++c) frame.clear[c] = full * float(random.unit());
+  if (random.below(6) == 0) frame.planes = {random.below(2) == 0, random.below(2) == 0, random.below(2) == 0};
+  if (random.below(6) == 0) {
+    frame.viewport =
+        Rect{{random.between(-40, 40), random.between(-40, 40)}, {random.between(0, 200), random.between(0, 200)}};
   }
-}
-
-struct OwnedFrame {
-  glm::ivec2 size_px{64, 64};
-  ColorFormat format = ColorFormat::rgba8;
-  Planes planes;
-  glm::vec4 clear{0.0f};
-  std::optional<Rect> viewport, scissor;
-  std::vector<glm::ivec2> samples_fx8{{128, 128}};
-  bool ids_from_ordered_draws = false;
-  std::vector<std::shared_ptr<const OwnedDraw>> draws;
-
-  [[nodiscard]] Image image() const { return make_image(size_px, format, planes); }
-
-  /// Renders and gives the counters.
-  FrameStats render(Image& image, RenderOptions options) const {
-    std::vector<Draw> bound;
-    for (const auto& d : draws) bound.push_back(d->draw);
-    options.ids_from_ordered_draws = ids_from_ordered_draws;
-    Frame frame;
-    frame.draws = bound, frame.clear = clear, frame.viewport = viewport, frame.scissor = scissor;
-    frame.samples_fx8 = samples_fx8;
-    return raster::render(frame, image, options);
+  if (random.below(8) == 0)
+    frame.scissor = Rect{{random.between(-9, 20), random.between(-9, 20)}, {random.between(0, 64), 40}};
+  if (random.below(6) == 0) {
+    const bool several = random.below(2) == 0;
+    frame.samples_fx8.resize(several ? 2 + random.below(3) : 1);
+    for (glm::ivec2& s : frame.samples_fx8) s = {random.between(0, 255), random.between(0, 255)};
+    if (several) frame.planes = {.color = true, .depth = false, .ids = false};
   }
-};
-
-/// The same draw with only some of its vertices in turn (indices into what it draws now).
-[[nodiscard]] inline std::shared_ptr<const OwnedDraw> with_corners(const OwnedDraw& from,
-                                                                   const std::vector<std::uint32_t>& corners) {
-  auto to = std::make_shared<OwnedDraw>();
-  to->draw = from.draw;
-  to->object = from.object, to->clip = from.clip, to->window = from.window;
-  to->clip_from_object = from.clip_from_object;
-  to->colors = from.colors, to->normals = from.normals, to->uvs = from.uvs, to->radii = from.radii;
-  to->clustered = from.clustered;
-  to->indexed = true;
-  for (const std::uint32_t c : corners) to->indices.push_back(from.indexed ? from.indices[c] : c);
-  to->bind();
-  return to;
-}
-
-[[nodiscard]] inline std::size_t corner_count(const OwnedDraw& draw) {
-  return draw.indexed ? draw.indices.size() : draw.n_positions();
+  frame.ids_from_ordered_draws = random.below(8) == 0;
+  const std::uint32_t n_draws = 1 + random.below(6);
+  for (std::uint32_t d = 0; d < n_draws; ++d) {
+    const std::uint32_t most = random.below(40) == 0 ? 700 : 200 / n_draws;
+    frame.draws.push_back(RandomDraw(random, frame).make(most));
+  }
+  return frame;
 }
 
 }  // namespace lode::raster::test

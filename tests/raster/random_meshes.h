@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "random_frame.h"
+#include "owned_frame.h"
 
 namespace lode::raster::test {
 

@@ -274,7 +274,8 @@ TEST(FrameMemory, AllocatesNothingFromTheThirdFrameOnForClustersAlone) {
   for (int threads = 1; threads <= kMostThreadsWithoutAllocation; ++threads) {
     SmallScene scene({300, 300});
     for (const double distance : {3.0, 2.5, 6.0, 12.0}) {
-      Draw& draw = scene.object(Topology::triangles, ball.mesh.object, perspective_from({0.3, 0.2, distance}, 0.1, 0.1));
+      const glm::dmat4 camera = perspective_from({0.3, 0.2, distance}, 0.1, 0.1);
+      Draw& draw = scene.object(Topology::triangles, ball.mesh.object, camera);
       draw.indices = ball.mesh.indices;
       draw.clusters = &ball.clusters;
       if (distance == 2.5) draw.cull = Cull::back;
