@@ -113,7 +113,7 @@ using Differs = std::function<bool(const OwnedFrame&)>;
     if (!d.window.empty()) add("  %zu {%a, %a, %a}", v, d.window[v].x, d.window[v].y, d.window[v].z);
     if (!d.colors.empty()) add(" color {%a, %a, %a, %a}", d.colors[v].r, d.colors[v].g, d.colors[v].b, d.colors[v].a);
     if (!d.uvs.empty()) add(" uv {%a, %a}", d.uvs[v].x, d.uvs[v].y);
-    add("\n");
+    all += "\n";
   }
   if (n < corner_count(d)) add("  … %zu corners\n", corner_count(d));
   return all;
