@@ -90,7 +90,8 @@ void MakeSomeRecords(const RecordJob& job, const float* const (&a)[3][16], const
     const auto same = hn::And(hn::Eq(v[0], v[1]), hn::Eq(v[1], v[2]));
     for (auto& corner : v) {
       corner = hn::Mul(corner, scale);
-      most = hn::Max(most, hn::Abs(corner));
+      const auto size = hn::Abs(corner);
+      most = hn::IfThenElse(hn::Gt(size, most), size, most);  // not Max: a NaN must not hide an infinity
     }
     const auto blend = [&](const F(&b)[3]) HWY_ATTR {
       return hn::Add(hn::Add(hn::Mul(b[0], v[0]), hn::Mul(b[1], v[1])), hn::Mul(b[2], v[2]));

@@ -392,7 +392,6 @@ class TileDrawer {
 
 void Worker::prepare(const Scene& scene, const Image& image) {
   if (!tile) {
-    tile = std::make_unique_for_overwrite<TileBuffers>();
     vertices = std::make_unique_for_overwrite<WindowVertices128[]>(kSlots);
     visible = std::make_unique_for_overwrite<std::uint8_t[]>(kSlots * kSlotTriangles + 1);
     record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
@@ -401,6 +400,7 @@ void Worker::prepare(const Scene& scene, const Image& image) {
     residents.reserve(kSlots);
     free_slots.reserve(kSlots);
     doubtful = std::make_unique_for_overwrite<Doubtful[]>(kTilePixels);
+    tile = std::make_unique_for_overwrite<TileBuffers>();  // last: it tells that all of them are there
   }
   heap.reserve(scene.n_boxes);
   const std::size_t n = kTilePixels;

@@ -87,8 +87,11 @@ using Differs = std::function<bool(const OwnedFrame&)>;
   };
   const Draw& s = d.draw;
   add("draw: topology %d, %s, clusters %d, cull %d, blend %d, depth test %d write %d, alpha test %g\n", int(s.topology),
-      !d.clip.empty() ? "clip" : !d.window.empty() ? "window" : "object", int(d.clustered), int(s.cull), int(s.blend),
-      int(s.depth_test), int(s.writes_depth()), s.alpha_test.value_or(-1.0));
+      !d.clip.empty()     ? "clip"
+      : !d.window.empty() ? "window"
+                          : "object",
+      int(d.clustered), int(s.cull), int(s.blend), int(s.depth_test), int(s.writes_depth()),
+      s.alpha_test.value_or(-1.0));
   add("  texture %d, filter %d, wrap %d %d, shader %d, colors %d, normals %d, uvs %d, draw_id %d, primitive_id %d\n",
       int(s.texture != nullptr), int(s.sampler.filter), int(s.sampler.wrap_u), int(s.sampler.wrap_v),
       int(s.shader.function != nullptr), int(!d.colors.empty()), int(!d.normals.empty()), int(!d.uvs.empty()),
@@ -124,7 +127,8 @@ using Differs = std::function<bool(const OwnedFrame&)>;
   std::string all = line;
   const auto add_rect = [&](const char* what, const std::optional<Rect>& r) {
     if (!r) return;
-    std::snprintf(line, sizeof line, "%s at (%d, %d), %d x %d\n", what, r->origin_px.x, r->origin_px.y, r->size_px.x, r->size_px.y);
+    std::snprintf(line, sizeof line, "%s at (%d, %d), %d x %d\n", what, r->origin_px.x, r->origin_px.y, r->size_px.x,
+                  r->size_px.y);
     all += line;
   };
   add_rect("viewport", frame.viewport), add_rect("scissor", frame.scissor);
@@ -136,7 +140,8 @@ using Differs = std::function<bool(const OwnedFrame&)>;
 [[nodiscard]] inline std::string bisected_difference(const OwnedFrame& frame, const RenderOptions& options) {
   const std::string whole = difference_of(frame, options);
   if (whole.empty()) return "";
-  const OwnedFrame small = smallest_that([&](const OwnedFrame& f) { return !difference_of(f, options).empty(); }, frame);
+  const OwnedFrame small =
+      smallest_that([&](const OwnedFrame& f) { return !difference_of(f, options).empty(); }, frame);
   return whole + "in the smallest part that differs:\n" + difference_of(small, options) + text_of(small);
 }
 

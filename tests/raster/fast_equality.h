@@ -55,10 +55,10 @@ inline bool expect_same_every_way(std::uint64_t seed, FrameSize size, FrameMemor
         if (same && counters == counters_of_one) continue;
         EXPECT_EQ(counters, counters_of_one) << "seed " << seed << ", " << threads << " threads, " << name_of(target);
         const std::string difference = bisected_difference(frame, options);
-        EXPECT_TRUE(difference.empty())
-            << "random_frame(" << seed << ", FrameSize(" << int(size) << ")), " << name_of(target) << ", " << threads
-            << " threads, skips " << skips.frustum << skips.facing << skips.occlusion << skips.samples << skips.blocks
-            << "\n" << difference;
+        EXPECT_TRUE(difference.empty()) << "random_frame(" << seed << ", FrameSize(" << int(size) << ")), "
+                                        << name_of(target) << ", " << threads << " threads, skips " << skips.frustum
+                                        << skips.facing << skips.occlusion << skips.samples << skips.blocks << "\n"
+                                        << difference;
         return false;
       }
     }

@@ -169,8 +169,8 @@ class RandomDraw {
     for (int k = 0; k < 4; ++k) c[k] = full_ * unit();
     if (one_in(8)) c = glm::round(c);
     if (!wild) return c;
-    static constexpr float kWild[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                                      -20.0f, 1e30f, 300.0f, -0.0f};
+    static constexpr float kWild[] = {
+        std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -20.0f, 1e30f, 300.0f, -0.0f};
     c[int(random_.below(4))] = kWild[random_.below(std::size(kWild))];
     return c;
   }
@@ -180,7 +180,9 @@ class RandomDraw {
     if (one_in(2)) draw.color = color(one_in(24));
     if (one_in(3)) {
       draw.texture = &some_textures()[random_.below(frame_.format == ColorFormat::rgba8 ? 3 : 4)];
-      draw.sampler = {.filter = Filter(random_.below(4)), .wrap_u = Wrap(random_.below(4)), .wrap_v = Wrap(random_.below(4)),
+      draw.sampler = {.filter = Filter(random_.below(4)),
+                      .wrap_u = Wrap(random_.below(4)),
+                      .wrap_v = Wrap(random_.below(4)),
                       .max_anisotropy = random_.between(1, 16)};
       draw.sampler.border = glm::vec4(draw.texture->format == TextureFormat::raw ? 51.0f : 0.25f);
     }
@@ -188,7 +190,8 @@ class RandomDraw {
       draw.shader = lambert_shader({.to_light = {0, 0.6f, 0.8f}, .two_sided = one_in(2)});
     } else if (one_in(8)) {
       draw.shader = pixel_shader([](const Pixel& p) {
-        return p.material * (p.front_facing ? 1.0f : 0.5f) * p.depth + glm::vec4(float(p.primitive % 7), p.uv, p.normal.x);
+        return p.material * (p.front_facing ? 1.0f : 0.5f) * p.depth +
+               glm::vec4(float(p.primitive % 7), p.uv, p.normal.x);
       });
     }
   }
@@ -230,9 +233,11 @@ enum class FrameSize : std::uint8_t { one_tile, several_tiles };
   for (int c = 0; c < 4; ++c) frame.clear[c] = full * float(random.unit());
   if (random.below(6) == 0) frame.planes = {random.below(2) == 0, random.below(2) == 0, random.below(2) == 0};
   if (random.below(6) == 0) {
-    frame.viewport = Rect{{random.between(-40, 40), random.between(-40, 40)}, {random.between(0, 200), random.between(0, 200)}};
+    frame.viewport =
+        Rect{{random.between(-40, 40), random.between(-40, 40)}, {random.between(0, 200), random.between(0, 200)}};
   }
-  if (random.below(8) == 0) frame.scissor = Rect{{random.between(-9, 20), random.between(-9, 20)}, {random.between(0, 64), 40}};
+  if (random.below(8) == 0)
+    frame.scissor = Rect{{random.between(-9, 20), random.between(-9, 20)}, {random.between(0, 64), 40}};
   if (random.below(6) == 0) {
     const bool several = random.below(2) == 0;
     frame.samples_fx8.resize(several ? 2 + random.below(3) : 1);

@@ -112,9 +112,13 @@ inline void add_layers_of_quads(HashedNumbers& random, glm::ivec2 size_px, std::
 
 /// Breaks some positions: NaN, infinities, the largest number, a neighbour's place.
 inline void break_some(HashedNumbers& random, std::vector<glm::vec3>& positions) {
-  static constexpr float kBroken[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                                      -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::max(),
-                                      -1e30f, 1e7f, 0.0f};
+  static constexpr float kBroken[] = {std::numeric_limits<float>::quiet_NaN(),
+                                      std::numeric_limits<float>::infinity(),
+                                      -std::numeric_limits<float>::infinity(),
+                                      std::numeric_limits<float>::max(),
+                                      -1e30f,
+                                      1e7f,
+                                      0.0f};
   for (std::size_t i = 1; i < positions.size(); ++i) {
     if (random.below(12) != 0) continue;
     if (random.below(2) == 0) {

@@ -9,6 +9,7 @@
 
 #include "raster/error.h"
 #include "tests/raster/everything.h"
+#include "tests/raster/random_meshes.h"
 
 namespace {
 
@@ -148,15 +149,18 @@ void fill(Image& image) {
   for (Ids& ids : image.ids) ids = {9, 10};
 }
 
+enum class PerDraw : std::uint8_t { counted, not_counted };  ///< counted: by the reference pipeline, whatever is asked for
+
 /// Renders with each allocation failing in turn, until none fails.
-void expect_renders_whole_or_not_at_all(SmallScene& scene, const RenderOptions& options, bool and_all_later) {
+void expect_renders_whole_or_not_at_all(SmallScene& scene, const RenderOptions& options, bool and_all_later,
+                                        PerDraw per_draw_counts = PerDraw::counted) {
   scene.render(options);
   const Image right = scene.image;
   Image untouched = right;
   fill(untouched);
   std::vector<DrawStats> per_draw(scene.draws.size());
   RenderOptions with_stats = options;
-  with_stats.per_draw = per_draw;
+  if (per_draw_counts == PerDraw::counted) with_stats.per_draw = per_draw;
   int n_failed = 0;
   for (long k = 0;; ++k) {
     ASSERT_LT(k, 100'000);
@@ -205,6 +209,84 @@ TEST(AllocationFailure, OnTwoThreadsLeavesTheTargetsAloneAndTheNextFrameIsRight)
   add_everything(scene);
   for (const bool and_all_later : {false, true}) {
     expect_renders_whole_or_not_at_all(scene, {.threads = 2, .tile_size_px = 16}, and_all_later);
+  }
+}
+
+/// Two balls and a grid as clusters, one of them across the near plane, with vertex colours and without.
+void add_clusters(SmallScene& scene, const Clusters& ball, const OwnedDraw& ball_mesh) {
+  for (const double distance : {3.0, 1.05, 5.0}) {
+    Draw& draw = scene.object(Topology::triangles, ball_mesh.object, perspective_from({0.3, 0.2, distance}, 0.1, 0.1));
+    draw.indices = scene.keep(ball_mesh.indices);
+    draw.clusters = &ball;
+    if (distance != 3.0) draw.colors = scene.keep(std::vector<glm::vec4>(ball_mesh.object.size(), {200, 10, 90, 255}));
+  }
+  scene.draws[1].cull = Cull::back;
+}
+
+struct Ball {
+  OwnedDraw mesh;
+  Clusters clusters;
+  Ball() {
+    add_ball(30, 20, mesh);
+    clusters = make_clusters(mesh.object, mesh.indices, 1);
+  }
+};
+
+TEST(AllocationFailure, OfAFastFrameLeavesTheTargetsAloneAndTheNextFrameIsRight) {
+  const Ball ball;
+  for (const int threads : {1, 2}) {
+    SmallScene scene({140, 40});
+    add_everything(scene);
+    add_clusters(scene, ball.clusters, ball.mesh);
+    for (const bool and_all_later : {false, true}) {
+      expect_renders_whole_or_not_at_all(scene, {.threads = threads}, and_all_later, PerDraw::not_counted);
+    }
+  }
+}
+
+TEST(AllocationFailure, OfAFrameInAKeptMemoryLeavesThatMemoryUsable) {
+  const Ball ball;
+  SmallScene scene({140, 40});
+  add_everything(scene);
+  add_clusters(scene, ball.clusters, ball.mesh);
+  scene.render();
+  const Image right = scene.image;
+  for (long k = 0;; ++k) {
+    FrameMemory memory;
+    const RenderOptions options{.threads = 1, .memory = &memory};
+    const Outcome outcome = run_with_failure(k, false, [&] { scene.render(options); });
+    ASSERT_NE(outcome, Outcome::other) << "allocation " << k;
+    scene.render(options);
+    ASSERT_TRUE(same_bytes(scene.image, right)) << "after allocation " << k;
+    if (outcome == Outcome::done) break;
+  }
+}
+
+#ifdef LODESTONE_THREADS_ALLOCATE
+constexpr int kMostThreadsWithoutAllocation = 1;
+#else
+constexpr int kMostThreadsWithoutAllocation = 2;
+#endif
+
+// None of these clusters reaches a clip plane: what is cut makes pieces, which are allocated.
+TEST(FrameMemory, AllocatesNothingFromTheThirdFrameOnForClustersAlone) {
+  const Ball ball;
+  for (int threads = 1; threads <= kMostThreadsWithoutAllocation; ++threads) {
+    SmallScene scene({300, 300});
+    for (const double distance : {3.0, 2.5, 6.0, 12.0}) {
+      Draw& draw = scene.object(Topology::triangles, ball.mesh.object, perspective_from({0.3, 0.2, distance}, 0.1, 0.1));
+      draw.indices = ball.mesh.indices;
+      draw.clusters = &ball.clusters;
+      if (distance == 2.5) draw.cull = Cull::back;
+      if (distance < 5.0) draw.colors = scene.keep(std::vector<glm::vec4>(ball.mesh.object.size(), {200, 10, 90, 255}));
+    }
+    FrameMemory memory;
+    const RenderOptions options{.threads = threads, .memory = &memory};
+    scene.frame.draws = scene.draws;
+    for (int warm_up = 0; warm_up < 2; ++warm_up) raster::render(scene.frame, scene.image, options);
+    const Outcome outcome = run_with_failure(-1, false, [&] { raster::render(scene.frame, scene.image, options); });
+    EXPECT_EQ(outcome, Outcome::done);
+    EXPECT_EQ(failure.n.load(), 0) << threads << " threads";
   }
 }
 

@@ -1,0 +1,58 @@
+// The pictures of the determinism product, and one frame with everything, byte for byte by both pipelines.
+#include "everything.h"
+#include "fast_equality.h"
+#include "tests/determinism/pictures.h"
+
+namespace lode::raster::test {
+namespace {
+
+std::string difference_of(const Frame& frame, Image fast, const RenderOptions& fast_options) {
+  Image reference = fast;
+  render(frame, fast, fast_options);
+  RenderOptions options;
+  options.threads = 1, options.pipeline = Pipeline::reference;
+  render(frame, reference, options);
+  return first_difference(fast, reference);
+}
+
+TEST(FastPictures, OfTheDeterminismProductAreTheReferences) {
+  FrameMemory memory;
+  RenderOptions options;
+  options.memory = &memory;
+  for (const pictures::Picture& picture : pictures::all_pictures()) {
+    for (const int threads : {1, 3}) {
+      options.threads = threads;
+      EXPECT_EQ(difference_of(picture.frame(), picture.image(), options), "") << picture.name << ", " << threads;
+    }
+  }
+}
+
+TEST(FastPictures, OfTheFrameWithEverythingAreTheReferences) {
+  for (const ColorFormat format : {ColorFormat::rgba8, ColorFormat::rgba32f}) {
+    SmallScene scene({150, 90}, format);
+    add_everything(scene);
+    scene.frame.draws = scene.draws;
+    for (const Target target : kTargets) {
+      if (!can_run(target)) continue;
+      RenderOptions options;
+      options.threads = 2, options.target = target;
+      EXPECT_EQ(difference_of(scene.frame, scene.image, options), "") << name_of(target);
+    }
+  }
+}
+
+TEST(FastPictures, AreTheSameWithAMemoryThatWasUsedForAnotherSizeAndFormat) {
+  FrameMemory memory;
+  RenderOptions options;
+  options.threads = 2, options.memory = &memory;
+  for (const std::uint64_t seed : {11u, 12u, 13u, 14u, 15u, 16u}) {
+    const OwnedFrame frame = random_frame(seed, seed % 2 == 0 ? FrameSize::several_tiles : FrameSize::one_tile);
+    Image fresh = frame.image(), used = frame.image();
+    frame.render(fresh, {.threads = 1});
+    frame.render(used, options);
+    EXPECT_EQ(first_difference(used, fresh), "") << seed;
+  }
+}
+
+}  // namespace
+}  // namespace lode::raster::test
