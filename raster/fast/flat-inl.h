@@ -47,11 +47,10 @@ void ShadeFlat(const FlatJob& job, const std::uint32_t* owners, float* rgba) {
     const auto bytes =
         hn::GatherOffset(i32, reinterpret_cast<const std::int32_t*>(job.corners), hn::Add(at, hn::Add(at, at)));
     const auto low_byte = hn::Set(i32, 255);
-    using I = hn::Vec<HalfInts>;
-    I local[3] = {hn::And(bytes, low_byte), hn::And(hn::ShiftRight<8>(bytes), low_byte),
-                  hn::And(hn::ShiftRight<16>(bytes), low_byte)};
+    hn::Vec<HalfInts> local[3] = {hn::And(bytes, low_byte), hn::And(hn::ShiftRight<8>(bytes), low_byte),
+                                  hn::And(hn::ShiftRight<16>(bytes), low_byte)};
     const auto window_first = hn::Mul(resident, hn::Set(i32, 768));
-    I x[3], y[3];
+    hn::Vec<HalfInts> x[3], y[3];
     for (int k = 0; k < 3; ++k) {
       const auto at_vertex = hn::Add(window_first, hn::ShiftLeft<1>(local[k]));
       x[k] = hn::GatherIndex(i32, window, at_vertex);
@@ -59,8 +58,8 @@ void ShadeFlat(const FlatJob& job, const std::uint32_t* owners, float* rgba) {
     }
     const auto sort_pair = [&](int a, int b) HWY_ATTR {
       const auto swap = hn::Or(hn::Lt(x[b], x[a]), hn::And(hn::Eq(x[b], x[a]), hn::Lt(y[b], y[a])));
-      for (I* v : {x, y, local}) {
-        const I first = v[a], second = v[b];
+      for (hn::Vec<HalfInts>* v : {x, y, local}) {
+        const hn::Vec<HalfInts> first = v[a], second = v[b];
         v[a] = hn::IfThenElse(swap, second, first);
         v[b] = hn::IfThenElse(swap, first, second);
       }
@@ -68,8 +67,7 @@ void ShadeFlat(const FlatJob& job, const std::uint32_t* owners, float* rgba) {
     sort_pair(0, 1);
     sort_pair(1, 2);
     sort_pair(0, 1);
-    using D = hn::Vec<Doubles>;
-    D xd[3], yd[3], e[3], w[3];
+    hn::Vec<Doubles> xd[3], yd[3], e[3], w[3];
     for (int k = 0; k < 3; ++k) {
       xd[k] = hn::PromoteTo(d, x[k]);
       yd[k] = hn::PromoteTo(d, y[k]);
@@ -88,12 +86,12 @@ void ShadeFlat(const FlatJob& job, const std::uint32_t* owners, float* rgba) {
     }
     const auto affine = hn::And(hn::Eq(hn::BitCast(i64, w[0]), hn::BitCast(i64, w[1])),
                                 hn::Eq(hn::BitCast(i64, w[1]), hn::BitCast(i64, w[2])));
-    D q[3];
+    hn::Vec<Doubles> q[3];
     for (int k = 0; k < 3; ++k) q[k] = hn::IfThenElse(hn::RebindMask(d, affine), e[k], hn::Div(e[k], w[k]));
     const auto sum = hn::Add(hn::Add(q[0], q[1]), q[2]);
     hn::Vec<HalfFloats> b[3] = {hn::DemoteTo(f, hn::Div(q[0], sum)), hn::DemoteTo(f, hn::Div(q[1], sum)),
                                 hn::DemoteTo(f, hn::Div(q[2], sum))};
-    I vertex[3];
+    hn::Vec<HalfInts> vertex[3];
     for (int k = 0; k < 3; ++k) {
       vertex[k] = hn::ShiftLeft<2>(hn::GatherIndex(i32, reinterpret_cast<const std::int32_t*>(job.mesh_vertices),
                                                    hn::Add(first_vertex, local[k])));

@@ -50,7 +50,14 @@
 #define LODE_NOT_NEON 0
 #endif
 
+// Builds that are slow to compile (sanitizers) make do with the widest and the scalar kernels.
+#ifdef LODESTONE_WIDEST_AND_SCALAR
+#define LODE_LEFT_OUT (HWY_AVX2 | HWY_SSE4)
+#else
+#define LODE_LEFT_OUT 0
+#endif
+
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS                                                                                           \
   (HWY_SSE2 | HWY_SSSE3 | HWY_AVX3_DL | HWY_AVX3_ZEN4 | HWY_AVX3_SPR | HWY_AVX10_2 | HWY_AVX10_2_512 | LODE_NOT_NEON | \
-   HWY_NEON_BF16 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_WASM | HWY_WASM_EMU256)
+   HWY_NEON_BF16 | LODE_LEFT_OUT | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_WASM | HWY_WASM_EMU256)

@@ -217,6 +217,9 @@ void make_scene(const Frame& frame, const Image& image, const RenderOptions& opt
     scene.assembly = reference::assemble(frame, image.size_px, scene.selections, threads);
     scene.stats = scene.assembly.stats;
   }
+  for (std::size_t i = 0; i < scene.n_fast; ++i) {  // the pieces are counted already
+    scene.stats.primitives_in += scene.fast[i].clusters->n_primitives - scene.fast[i].cut.size();
+  }
   bin_rows(scene);
 }
 
