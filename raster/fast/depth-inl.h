@@ -31,8 +31,8 @@ HWY_INLINE float LeastOfBlock(const TileBuffers& tile, int block) {
 /// stale, and a stale block is looked at again only where the bound does not tell.
 HWY_INLINE bool BlockHidden(TileBuffers& tile, int block, float nearest) {
   if (nearest < tile.block_min[block]) return true;
-  if (!tile.stale[block]) return false;
-  tile.stale[block] = 0;
+  if ((tile.written[block] & kStale) == 0) return false;
+  tile.written[block] = kTouched;
   tile.block_min[block] = LeastOfBlock(tile, block);
   return nearest < tile.block_min[block];
 }

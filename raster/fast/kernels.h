@@ -58,12 +58,14 @@ struct WindowVertices128 {
   [[nodiscard]] std::int32_t y_fx8(std::size_t i) const { return std::int32_t(xy_fx8[i] >> 32); }
 };
 
+inline constexpr std::uint8_t kStale = 1, kTouched = 2;
+
 /// One tile's samples, places as place_in_tile. A sample that nothing owns has depth −1.
 struct TileBuffers {
   alignas(64) float depth[kTilePixels];
   alignas(64) std::uint32_t owner[kTilePixels];
   alignas(64) float block_min[kBlocksPerRow * kBlocksPerRow];  ///< least depth of each block, if it is fresh
-  alignas(64) std::uint8_t stale[kBlocksPerRow * kBlocksPerRow];
+  alignas(64) std::uint8_t written[kBlocksPerRow * kBlocksPerRow];  ///< kStale: since block_min was found; kTouched: at all
 };
 
 /// What the kernels of one tile did and did not do.

@@ -198,7 +198,7 @@ int RasterizeLarge(const RasterJob& job, const LoneTriangle& triangle, TileBuffe
         passed += DrawQuarter(job, s, walk, at, z + (walk.z_right * qx + walk.z_down * qy), bx * 8 + qx, by * 8 + qy,
                               whole, tile, counts);
       }
-      if (passed) tile.stale[block] = 1;
+      if (passed) tile.written[block] = kStale | kTouched;
       n_passed += passed;
     }
   }

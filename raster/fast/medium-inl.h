@@ -146,7 +146,7 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
           }
           passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);
         }
-        if (passed) tile.stale[place >> 6] = 1;
+        if (passed) tile.written[place >> 6] = kStale | kTouched;
         n_passed += passed;
       } else {
         ++counts.blocks_outside;

@@ -55,10 +55,10 @@ bool TakeOut(const RasterJob& job, int t, RasterCounts& counts, LoneTriangle& ou
 bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
   Sifted sifted;
   Sift(job, counts, sifted);
-  counts.tiny += std::uint64_t(sifted.flat.n + sifted.tall.n);
+  counts.tiny += std::uint64_t(sifted.flat.n + sifted.tall.n + sifted.tower.n);
   counts.medium += std::uint64_t(sifted.medium.n);
   int passed = 0;
-  for (const TriangleList* list : {&sifted.flat, &sifted.tall}) passed += RasterizeTiny(job, *list, tile, counts);
+  for (const TriangleList* list : {&sifted.flat, &sifted.tall, &sifted.tower}) passed += RasterizeTiny(job, *list, tile, counts);
   passed += RasterizeMedium(job, sifted.medium, tile, counts);
   for (int i = 0; i < sifted.n_others; ++i) {
     LoneTriangle lone;

@@ -249,15 +249,24 @@ HWY_INLINE void ResolveBlock(const ResolveJob& job, int x, int y, std::uint32_t 
 }
 
 void ResolveRecords(const ResolveJob& job) {
-  for (int y = 0; y < job.height_px; y += 4) {
-    for (int x = 0; x < job.width_px; x += 4) {
-      std::uint32_t inside = 0xFFFF;
-      if (job.width_px - x < 4 || job.height_px - y < 4) {
-        inside = 0;
-        for (int k = 0; k < 16; ++k)
-          inside |= x + (k & 3) < job.width_px && y + (k >> 2) < job.height_px ? 1u << k : 0u;
+  for (int y = 0; y < job.height_px; y += kBlock_px) {
+    for (int x = 0; x < job.width_px; x += kBlock_px) {
+      const int place = place_in_tile(x, y);
+      if ((job.tile->written[place / 64] & kTouched) == 0) {
+        for (int k = 0; k < 64; ++k) job.rgba8[place + k] = job.clear;
+        continue;
       }
-      ResolveBlock(job, x, y, inside);
+      for (int quarter = 0; quarter < 4; ++quarter) {
+        const int qx = x + 4 * (quarter & 1), qy = y + 4 * (quarter >> 1);
+        const int w = job.width_px - qx, h = job.height_px - qy;
+        std::uint32_t inside = 0xFFFF;
+        if (w <= 0 || h <= 0) continue;
+        if (w < 4 || h < 4) {
+          inside = 0;
+          for (int k = 0; k < 16; ++k) inside |= (k & 3) < w && (k >> 2) < h ? 1u << k : 0u;
+        }
+        ResolveBlock(job, qx, qy, inside);
+      }
     }
   }
 }

@@ -82,8 +82,31 @@ class Resolver {
     }
     // Without branches: whose the next sample is, is hard to guess. Pieces and nothing mark a place of no slot.
     constexpr std::uint32_t kNowhere = kSlots * kSlotTriangles;
-    for (const std::uint32_t owner : w_.tile->owner) w_.visible[owner & kPieceBit ? kNowhere : owner] = 1;
-    for (std::uint32_t slot = 0; slot < w_.residents.size(); ++slot) make_records_of(slot);
+    for (std::size_t block = 0; block < std::size_t(kBlocksPerRow * kBlocksPerRow); ++block) {
+      if ((w_.tile->written[block] & kTouched) == 0) continue;
+      for (std::size_t i = 64 * block; i < 64 * block + 64; ++i) {
+        const std::uint32_t owner = w_.tile->owner[i];
+        w_.visible[owner & kPieceBit ? kNowhere : owner] = 1;
+      }
+    }
+    for (std::uint32_t slot = 0; slot < w_.residents.size(); ++slot) {
+      if (slot + 1 < w_.residents.size()) prefetch_colors(slot + 1);
+      make_records_of(slot);
+    }
+  }
+
+  /// Asks memory for the colours of the vertices of a slot that has anything visible.
+  void prefetch_colors(std::uint32_t slot) const {
+    std::array<std::uint64_t, kSlotTriangles / 8> visible;
+    std::memcpy(visible.data(), &w_.visible[std::size_t(slot) * kSlotTriangles], kSlotTriangles);
+    std::uint64_t any = 0;
+    for (const std::uint64_t eight : visible) any |= eight;
+    const Resident& r = w_.residents[slot];
+    const FastDraw& fast = scene_.fast[r.fast_draw];
+    if (any == 0 || !fast.flat || fast.constant) return;
+    const std::uint32_t* vertices = &fast.clusters->vertices[r.first_vertex];
+    const std::size_t n = fast.clusters->clusters[r.cluster].n_vertices;
+    for (std::size_t i = 0; i < n; ++i) __builtin_prefetch(fast.flat_job.colors + 4 * std::size_t(vertices[i]));
   }
 
   void make_records_of(std::uint32_t slot) {

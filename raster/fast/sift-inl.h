@@ -49,11 +49,11 @@ struct TriangleList {
   }
 };
 
-/// Most pixels of a tiny triangle's box: four across, and four or eight down.
-constexpr int kTinyWidth = 4, kFlatHeight = 4, kTallHeight = 8;
+/// Most pixels of a tiny triangle's box: four across, and four, eight or sixteen down.
+constexpr int kTinyWidth = 4, kFlatHeight = 4, kTallHeight = 8, kTowerHeight = 16;
 
 struct Sifted {
-  TriangleList flat, tall;                    ///< tiny
+  TriangleList flat, tall, tower;             ///< tiny
   TriangleList medium;                        ///< corners at most 64 px apart
   std::int32_t others[kMaxClusterTriangles];  ///< larger, or so thin that their facing is in doubt
   int n_others = 0;
@@ -133,9 +133,11 @@ void Sift(const RasterJob& job, RasterCounts& counts, Sifted& out) {
     const auto plain = hn::AndNot(hn::Or(dropped, doubtful), narrow);
     const auto thin = hn::And(plain, hn::Not(hn::Gt(w, hn::Set(di, kTinyWidth))));
     const auto flat = hn::And(thin, hn::Not(hn::Gt(h, hn::Set(di, kFlatHeight))));
-    const auto tiny = hn::And(thin, hn::Not(hn::Gt(h, hn::Set(di, kTallHeight))));
+    const auto tall = hn::And(thin, hn::Not(hn::Gt(h, hn::Set(di, kTallHeight))));
+    const auto tiny = hn::And(thin, hn::Not(hn::Gt(h, hn::Set(di, kTowerHeight))));
     out.flat.Add(x, y, triangle, flat);
-    out.tall.Add(x, y, triangle, hn::AndNot(flat, tiny));
+    out.tall.Add(x, y, triangle, hn::AndNot(flat, tall));
+    out.tower.Add(x, y, triangle, hn::AndNot(tall, tiny));
     out.medium.Add(x, y, triangle, hn::AndNot(tiny, plain));
     const auto others = hn::AndNot(hn::Or(dropped, plain), alive);
     if (hn::AllFalse(di, others)) continue;

@@ -80,7 +80,7 @@ class TileDrawer {
     std::fill_n(tile.depth, kTilePixels, -1.0f);
     std::fill_n(tile.owner, kTilePixels, kNoOwner);
     std::fill_n(tile.block_min, kBlocksPerRow * kBlocksPerRow, -1.0f);
-    std::fill_n(tile.stale, kBlocksPerRow * kBlocksPerRow, std::uint8_t(0));
+    std::fill_n(tile.written, kBlocksPerRow * kBlocksPerRow, std::uint8_t(0));
     // Places outside the picture must not keep a block from being covered.
     if (size_.x < kTile_px || size_.y < kTile_px) {
       for (int y = 0; y < kTile_px; ++y) {
@@ -271,7 +271,7 @@ class TileDrawer {
           }
           tile.depth[i] = depth;
           tile.owner[i] = owner;
-          tile.stale[i / 64] = 1;
+          tile.written[i / 64] = kStale | kTouched;
         });
   }
 

@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 
 /// Samples that the lanes found, [n]: where, by whom, how near.
 struct Fragments {
-  static constexpr int kMost = 16 * kTinyWidth * kTallHeight;
+  static constexpr int kMost = 16 * kTinyWidth * kTowerHeight;
   alignas(64) std::int32_t step_and_lane[kMost + 16];
   alignas(64) std::int32_t place[kMost + 16];
   alignas(64) std::uint32_t owner[kMost + 16];
@@ -63,7 +63,7 @@ HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffe
     if (HWY_UNLIKELY(depth == old)) wins = job.key_before(job.context, owner, old_owner);
     tile.depth[place] = wins ? depth : old;
     tile.owner[place] = wins ? owner : old_owner;
-    tile.stale[place >> 6] = 1;
+    tile.written[place >> 6] = kStale | kTouched;
     passed += wins ? 1 : 0;
   }
   return passed;
@@ -75,7 +75,7 @@ int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& t
   const HalfInts hi;
   const HalfFloats hf;
   const hn::RebindToSigned<Doubles> i64;
-  constexpr int kReachX = kTinyWidth - 1, kReachY = kTallHeight - 1;
+  constexpr int kReachX = kTinyWidth - 1, kReachY = kTowerHeight - 1;
   const int lanes = int(hn::Lanes(di));
   Fragments fragments;
   DepthPlanes planes;

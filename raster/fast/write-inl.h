@@ -29,7 +29,8 @@ void WriteTile(const WriteJob& job) {
     const int whole = hn::Lanes(f) == 4 ? job.width_px & ~3 : 0;
     for (int x = 0; x < whole; x += 4) {
       if (job.depths) {
-        hn::StoreU(hn::Max(hn::Load(f, from + place_in_tile(x, y)), hn::Zero(f)), f, row + x);
+        const auto v = hn::Load(f, from + place_in_tile(x, y));
+        hn::StoreU(hn::IfThenElseZero(hn::Gt(v, hn::Zero(f)), v), f, row + x);  // of a zero, the positive one
       } else {
         std::memcpy(row + x, from + place_in_tile(x, y), 16);
       }
@@ -37,7 +38,7 @@ void WriteTile(const WriteJob& job) {
     for (int x = whole; x < job.width_px; ++x) {
       float v;
       std::memcpy(&v, from + place_in_tile(x, y), 4);
-      if (job.depths) v = std::max(v, 0.0f);
+      if (job.depths) v = v > 0.0f ? v : 0.0f;
       std::memcpy(row + x, &v, 4);
     }
   }

@@ -111,7 +111,7 @@ TEST(FrameStats, CountAWindowSpaceFrame) {
   expected.fragments_depth_failed = 16 + 4;
   expected.fragments_shaded = 64 + 16 + 32 + 16;
   expected.fragments_blended = 16;
-  EXPECT_EQ(text_of(scene.render({.threads = 1, .tile_size_px = 8})), text_of(expected));
+  EXPECT_EQ(text_of(scene.render({.threads = 1, .tile_size_px = 8, .pipeline = Pipeline::reference})), text_of(expected));
 }
 
 // The same in clip space, 8×8 pixels, depth z/w, near plane z = w:
@@ -148,7 +148,7 @@ TEST(FrameStats, CountAClipSpaceFrame) {
   expected.fragments_covered = 28 + 22 + 28;
   expected.fragments_depth_failed = 13 + 28;
   expected.fragments_shaded = 28;
-  EXPECT_EQ(text_of(scene.render({.threads = 1, .tile_size_px = 8})), text_of(expected));
+  EXPECT_EQ(text_of(scene.render({.threads = 1, .tile_size_px = 8, .pipeline = Pipeline::reference})), text_of(expected));
 }
 
 // 8 × 8 samples of a bilinear texture read 4 texels each, those of an untextured draw none; a nearest one reads 1.

@@ -57,7 +57,12 @@ TEST(EverythingFrame, UsesEveryKindOfWork) {  // else the tests that use it clai
   const FrameStats stats = scene.render({.threads = 1, .per_draw = per_draw});
   for (std::size_t d = 0; d < per_draw.size(); ++d)
     EXPECT_GT(per_draw[d].visible, 0u) << "draw " << d << ", " << per_draw[d].covered << " covered";
-  for_each_counter(stats, [](const char* name, std::uint64_t n) { EXPECT_GT(n, 0u) << name; });
+  // Statistics by draw come from the reference pipeline: what only the fast one counts is fast_counters_test's.
+  for_each_counter(stats, [](std::string_view name, std::uint64_t n) {
+    const bool of_fast = name.starts_with("boxes_") || name.starts_with("clusters_") || name.starts_with("triangles_") ||
+                         name.starts_with("blocks_");
+    EXPECT_EQ(n > 0u, !of_fast) << name;
+  });
 }
 
 }  // namespace
