@@ -1,4 +1,6 @@
 // The same bytes and the same counters for any number of threads; the same bytes for any tile size.
+#include <string_view>
+
 #include "everything.h"
 
 namespace lode::raster::test {
