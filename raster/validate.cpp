@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "raster/error.h"
+#include "raster/fast/scene.h"
 
 namespace lode::raster {
 namespace {
@@ -128,7 +129,7 @@ void check_attributes(const Draw& draw, std::size_t i) {
   check(draw.radii.size(), "radii", draw.topology == Topology::discs || draw.topology == Topology::surfels);
 }
 
-void check_vertices(const Draw& draw, std::size_t i) {
+void check_vertices(const Draw& draw, std::size_t i, bool by_clusters) {
   const std::size_t n = vertex_count(draw);
   const std::size_t each = vertices_per_primitive(draw.topology);
   if (n % each != 0) {
@@ -138,6 +139,14 @@ void check_vertices(const Draw& draw, std::size_t i) {
   const std::size_t n_positions = position_count(draw);
   if (n_positions > 0xFFFFFFFFu || primitive_count(draw) > kMaxPrimitives) {
     throw Error(ErrorKind::bad_input, "draw %zu: more than 2^32 - 2 primitives", i);
+  }
+  if (draw.clusters != nullptr) {
+    const std::size_t n_triangles = draw.topology == Topology::triangles ? n / 3 : 0;
+    if (draw.clusters->n_positions != position_count(draw) || draw.clusters->n_primitives != n_triangles) {
+      throw Error(ErrorKind::bad_input, "draw %zu: clusters of %zu triangles over %zu positions, expected %zu over %zu",
+                  i, draw.clusters->n_primitives, draw.clusters->n_positions, n_triangles, position_count(draw));
+    }
+    if (by_clusters && fast::drawn_by_clusters(draw)) return;  // the indices were checked when they were cut
   }
   const std::span<const std::uint32_t> indices = draw.indices.value_or(std::span<const std::uint32_t>{});
   for (std::size_t k = 0; k < indices.size(); ++k) {
@@ -195,7 +204,7 @@ void validate(const Frame& frame, const Image& image, const RenderOptions& optio
     const Draw& draw = frame.draws[i];
     check_enumerations(draw, i);
     check_attributes(draw, i);
-    check_vertices(draw, i);
+    check_vertices(draw, i, options.pipeline == Pipeline::fast && options.per_draw.empty());
     if (draw.texture) check_texture(draw, i, image.format);
     if (draw.scissor) {
       const glm::ivec2 s = draw.scissor->size_px;

@@ -41,23 +41,24 @@ HWY_INLINE hn::Vec<Wide> BothHalves(Wide wide, Half low, Half high) {
   return hn::Combine(wide, high, low);
 }
 
-/// Four floats each from as many places as there are groups of four lanes: first[0], first[4], …
+/// Four floats each, `offset` behind as many places as there are groups of four lanes: first[0], first[4], …
 template <class Tag>
-HWY_INLINE hn::Vec<Tag> FoursFrom(Tag tag, const float* const* first) {
+HWY_INLINE hn::Vec<Tag> FoursFrom(Tag tag, const float* const* first, std::size_t offset) {
   if constexpr (hn::MaxLanes(Tag()) > 4) {
     const hn::Half<Tag> half;
-    return hn::Combine(tag, FoursFrom(half, first + hn::MaxLanes(Tag()) / 2), FoursFrom(half, first));
+    return hn::Combine(tag, FoursFrom(half, first + hn::MaxLanes(Tag()) / 2, offset), FoursFrom(half, first, offset));
   } else {
-    return hn::Load(tag, first[0]);
+    return hn::Load(tag, first[0] + offset);
   }
 }
 
-/// Component c of the four floats at from[i] becomes lane i of out[c]. (As LoadInterleaved4 from scattered places: the
-/// fours go straight into registers.)
-HWY_INLINE void LoadTransposed(const float* const* from, hn::Vec<Floats> (&out)[4]) {
+/// Component c of the four floats at from[i] + offset becomes lane i of out[c]. (As LoadInterleaved4 from scattered
+/// places: the fours go straight into registers.)
+HWY_INLINE void LoadTransposed(const float* const* from, std::size_t offset, hn::Vec<Floats> (&out)[4]) {
   const Floats f;
   const hn::RepartitionToWide<Floats> pairs;
-  const auto a = FoursFrom(f, from), b = FoursFrom(f, from + 1), c = FoursFrom(f, from + 2), d = FoursFrom(f, from + 3);
+  const auto a = FoursFrom(f, from, offset), b = FoursFrom(f, from + 1, offset);
+  const auto c = FoursFrom(f, from + 2, offset), d = FoursFrom(f, from + 3, offset);
   const auto ab_low = hn::BitCast(pairs, hn::InterleaveLower(f, a, b)),
              ab_high = hn::BitCast(pairs, hn::InterleaveUpper(f, a, b));
   const auto cd_low = hn::BitCast(pairs, hn::InterleaveLower(f, c, d)),

@@ -37,18 +37,17 @@ HWY_INLINE F RoundedToByte(F v) {
   return hn::IfThenElse(hn::Ge(hn::Sub(clamped, whole), hn::Set(f, 0.5f)), hn::Add(whole, hn::Set(f, 1.0f)), whole);
 }
 
-/// The planes of sixteen triangles, from the corners' records a[k] = (x, y, 1/w, –) and c[k] = (r, g, b, a).
-void MakeSomeRecords(const RecordJob& job, const float* const (&a)[3][16], const float* const (&c)[3][16],
-                     float (&out)[4][64]) {
+/// The planes of sixteen triangles, from the corners' records: (x, y, 1/w, –, r, g, b, a).
+void MakeSomeRecords(const RecordJob& job, const float* const (&from)[3][16], float (&out)[4][64]) {
   const Ints di;
   const Floats f;
   I x[3], y[3];
   F inverse_w[3], colors[4][3];
   for (std::size_t k = 0; k < 3; ++k) {
     F of_corner[4];
-    LoadTransposed(a[k], of_corner);
+    LoadTransposed(from[k], 0, of_corner);
     x[k] = hn::BitCast(di, of_corner[0]), y[k] = hn::BitCast(di, of_corner[1]), inverse_w[k] = of_corner[2];
-    LoadTransposed(c[k], of_corner);
+    LoadTransposed(from[k], 4, of_corner);
     for (std::size_t channel = 0; channel < 4; ++channel) colors[channel][k] = of_corner[channel];
   }
   const auto up = hn::Set(di, 255);
@@ -114,17 +113,16 @@ void MakeSomeRecords(const RecordJob& job, const float* const (&a)[3][16], const
 
 void MakeRecords(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records) {
   const int lanes = int(hn::Lanes(Floats()));
-  const float *a[3][16], *c[3][16];
+  const float* from[3][16];
   alignas(64) float out[4][64];
   for (int first = 0; first < n; first += lanes) {
     for (int i = 0; i < lanes; ++i) {
       const std::uint8_t* corners = job.corners + 3 * std::size_t(triangles[std::min(first + i, n - 1)]);
       for (int k = 0; k < 3; ++k) {
-        const CornerRecord& corner = job.vertices[corners[k]];
-        a[k][i] = reinterpret_cast<const float*>(&corner), c[k][i] = corner.rgba;
+        from[k][i] = reinterpret_cast<const float*>(&job.vertices[corners[k]]);
       }
     }
-    MakeSomeRecords(job, a, c, out);
+    MakeSomeRecords(job, from, out);
     for (int i = 0; i < std::min(lanes, n - first); ++i) {
       for (int q = 0; q < 4; ++q) std::memcpy(&records[first + i].quads[q], &out[q][4 * i], 16);
     }
@@ -167,11 +165,15 @@ HWY_INLINE std::uint32_t ShadeSome(const F (&q)[4][4], std::size_t lane, int x_p
 std::uint32_t ShadeRecords(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,
                            std::uint32_t* bytes) {
   const Floats f;
-  std::uint32_t differ = 0;
-  for (int i = 1; i < 16; ++i) differ |= index[i] ^ index[0];
+  const Ints di;
+  const auto first = hn::Set(di, std::int32_t(index[0]));
+  bool same = true;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+    same &= hn::AllTrue(di, hn::Eq(hn::LoadU(di, reinterpret_cast<const std::int32_t*>(index) + l), first));
+  }
   std::uint32_t doubtful = 0;
   F q[4][4];
-  if (differ == 0) {
+  if (same) {
     const ColorRecord& r = records[index[0]];
     for (int i = 0; i < 4; ++i) {
       for (int k = 0; k < 4; ++k) q[i][k] = hn::Set(f, r.quads[i][k]);
@@ -179,12 +181,10 @@ std::uint32_t ShadeRecords(const ColorRecord* records, const std::uint32_t* inde
     for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
     return doubtful;
   }
-  const float* from[4][16];
-  for (std::size_t i = 0; i < 16; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) from[k][i] = records[index[i]].quads[k];
-  }
+  const float* from[16];
+  for (std::size_t i = 0; i < 16; ++i) from[i] = records[index[i]].quads[0];
   for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) {
-    for (std::size_t k = 0; k < 4; ++k) LoadTransposed(from[k] + l, q[k]);
+    for (std::size_t k = 0; k < 4; ++k) LoadTransposed(from + l, 4 * k, q[k]);
     doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
   }
   return doubtful;
@@ -208,6 +208,14 @@ HWY_INLINE OwnerBits LookAtOwners(const std::uint32_t* owners) {
   return bits;
 }
 
+/// n: a multiple of sixteen
+HWY_INLINE void Fill(std::uint32_t* to, std::size_t n, std::uint32_t value) {
+  const Ints di;
+  for (std::size_t i = 0; i < n; i += hn::Lanes(di)) {
+    hn::StoreU(hn::Set(di, std::int32_t(value)), di, reinterpret_cast<std::int32_t*>(to) + i);
+  }
+}
+
 /// One 4×4, of which `inside` are samples of the picture.
 HWY_INLINE void ResolveBlock(const ResolveJob& job, int x, int y, std::uint32_t inside) {
   const auto base = std::size_t(place_in_tile(x, y));
@@ -215,7 +223,7 @@ HWY_INLINE void ResolveBlock(const ResolveJob& job, int x, int y, std::uint32_t 
   std::uint32_t* out = job.rgba8 + base;
   const OwnerBits bits = LookAtOwners(owners);
   if (bits.none != 0) {
-    for (int k = 0; k < 16; ++k) out[k] = job.clear;
+    Fill(out, 16, job.clear);
     inside &= ~bits.none;
     if (inside == 0) return;
   }
@@ -253,7 +261,7 @@ void ResolveRecords(const ResolveJob& job) {
     for (int x = 0; x < job.width_px; x += kBlock_px) {
       const int place = place_in_tile(x, y);
       if ((job.tile->written[place / 64] & kTouched) == 0) {
-        for (int k = 0; k < 64; ++k) job.rgba8[place + k] = job.clear;
+        Fill(job.rgba8 + place, 64, job.clear);
         continue;
       }
       for (int quarter = 0; quarter < 4; ++quarter) {

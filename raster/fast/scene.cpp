@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "raster/blend.h"
+#include "raster/error.h"
 
 namespace lode::raster::fast {
 namespace {
@@ -16,9 +17,7 @@ std::size_t triangle_count(const Draw& draw) {
 }
 
 bool is_fast(const Draw& draw) {
-  return draw.topology == Topology::triangles && draw.order_free() && !draw.alpha_test &&
-         std::holds_alternative<ObjectVertices>(draw.vertices) &&
-         (draw.clusters != nullptr || triangle_count(draw) >= kWorthClusters);
+  return drawn_by_clusters(draw) && (draw.clusters != nullptr || triangle_count(draw) >= kWorthClusters);
 }
 
 /// The eye: det(x, y, w) of three corners is linear in the plane through them (Cauchy & Binet), so its coefficients are
@@ -54,6 +53,17 @@ DrawView make_view(const Frame& frame, const Draw& draw, glm::ivec2 target_size_
   return view;
 }
 
+/// Those of a primitive that becomes a piece: of clustered draws no others are read.
+void check_indices(const Draw& draw, std::uint32_t draw_index, std::uint32_t primitive) {
+  const std::size_t n = std::get<ObjectVertices>(draw.vertices).positions.size();
+  for (std::size_t k = 3 * std::size_t(primitive); draw.indices && k < 3 * std::size_t(primitive) + 3; ++k) {
+    if ((*draw.indices)[k] >= n) {
+      throw Error(ErrorKind::bad_input, "draw %u: index %zu is %u, expected below %zu", draw_index, k,
+                  (*draw.indices)[k], n);
+    }
+  }
+}
+
 /// Sorts the triangles of a cluster that reaches beyond a clip plane: whole ones to the kernels, others to be cut.
 void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport& viewport, std::uint32_t c) {
   const Clusters& all = *fast.clusters;
@@ -76,6 +86,7 @@ void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport&
   for (std::uint32_t t = 0; t < cluster.n_triangles; ++t) {
     const std::uint8_t* corners = &all.corners[3 * std::size_t(cluster.first_triangle + t)];
     if (!whole[corners[0]] || !whole[corners[1]] || !whole[corners[2]]) {
+      check_indices(draw, fast.draw, all.primitives[cluster.first_triangle + t]);
       fast.cut.push_back(all.primitives[cluster.first_triangle + t]);
       continue;
     }
@@ -191,6 +202,11 @@ void bin_rows(Scene& scene) {
 }
 
 }  // namespace
+
+bool drawn_by_clusters(const Draw& draw) {
+  return draw.topology == Topology::triangles && draw.order_free() && !draw.alpha_test &&
+         std::holds_alternative<ObjectVertices>(draw.vertices);
+}
 
 void make_scene(const Frame& frame, const Image& image, const RenderOptions& options, int threads, Scene& scene) {
   scene.frame = &frame;

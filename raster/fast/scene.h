@@ -61,6 +61,9 @@ struct Scene {
   }
 };
 
+/// Whether the kernels draw the draw's triangles from its clusters, if it has some: then only they read its indices.
+[[nodiscard]] bool drawn_by_clusters(const Draw& draw);
+
 /// Fills the scene, whose memory it uses again.
 void make_scene(const Frame& frame, const Image& image, const RenderOptions& options, int threads, Scene& scene);
 
