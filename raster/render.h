@@ -34,7 +34,7 @@ struct Skips {
   bool facing = true;     ///< clusters that face away as a whole
   bool occlusion = true;  ///< clusters behind what is drawn already
   bool samples = true;    ///< triangles without a sample, before their set-up
-  bool blocks = true;     ///< 8×8 blocks beside a triangle, or in front of it
+  bool blocks = true;     ///< blocks of samples beside a triangle, or in front of it
 };
 
 /// What one frame leaves for the next: memory, no contents. One frame at a time may use it.
@@ -56,8 +56,7 @@ struct RenderOptions {
   Pipeline pipeline = Pipeline::fast;
   Target target = Target::best;  ///< bad input if it cannot run here
   Skips skips = {};
-  FrameMemory* memory =
-      nullptr;  ///< kept between frames, so that a steady state allocates nothing; null: the frame's own
+  FrameMemory* memory = nullptr;  ///< null: the frame's own. Kept from frame to frame, clustered draws allocate nothing
   std::span<DrawStats> per_draw = {};   ///< empty, or one element a draw, overwritten
   bool ids_from_ordered_draws = false;  ///< draws that write no depth leave their ids too (for `draw --print`)
   /// Called once for each finished tile, from any worker; must not throw. n_tiles(…) says how many there are.

@@ -31,7 +31,7 @@ struct FrameStats {
   std::uint64_t blocks_hidden = 0;
 
   std::uint64_t pieces = 0;                 ///< triangles, lines, … left after culling and clipping, in the target or beside it
-  std::uint64_t tiles = 0;                  ///< tiles that any piece's bounds touch
+  std::uint64_t tiles = 0;                  ///< tiles that the bounds of any piece, or of a clustered draw, touch
   std::uint64_t fragments_covered = 0;      ///< samples inside a primitive and the scissor
   std::uint64_t fragments_alpha_failed = 0;
   std::uint64_t fragments_depth_failed = 0;

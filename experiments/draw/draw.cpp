@@ -105,7 +105,7 @@ void draw(const DrawOptions& options, const CommonOptions& common, std::istream&
                       .per_draw = {}};
     std::vector<raster::DrawStats> per_draw(picture.draws.size());
     report.per_draw = per_draw;
-    const raster::Image image = rendering.render(planes, {.per_draw = {}}, &report.counters);
+    const raster::Image image = rendering.render(planes, {}, &report.counters);
     // Draws are counted in a render of its own, without any plane: only the reference pipeline can.
     if (options.outputs.stats) {
       static_cast<void>(

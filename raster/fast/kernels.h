@@ -64,7 +64,7 @@ inline constexpr std::uint8_t kStale = 1, kTouched = 2;
 struct TileBuffers {
   alignas(64) float depth[kTilePixels];
   alignas(64) std::uint32_t owner[kTilePixels];
-  alignas(64) float block_min[kBlocksPerRow * kBlocksPerRow];  ///< least depth of each block, if it is fresh
+  alignas(64) float block_min[kBlocksPerRow * kBlocksPerRow];  ///< no depth of a block is less; the least one unless stale
   alignas(64) std::uint8_t written[kBlocksPerRow * kBlocksPerRow];  ///< kStale: since block_min was found; kTouched: at all
 };
 
