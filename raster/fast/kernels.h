@@ -64,8 +64,10 @@ inline constexpr std::uint8_t kStale = 1, kTouched = 2;
 struct TileBuffers {
   alignas(64) float depth[kTilePixels];
   alignas(64) std::uint32_t owner[kTilePixels];
-  alignas(64) float block_min[kBlocksPerRow * kBlocksPerRow];  ///< no depth of a block is less; the least one unless stale
-  alignas(64) std::uint8_t written[kBlocksPerRow * kBlocksPerRow];  ///< kStale: since block_min was found; kTouched: at all
+  alignas(
+      64) float block_min[kBlocksPerRow * kBlocksPerRow];  ///< no depth of a block is less; the least one unless stale
+  alignas(
+      64) std::uint8_t written[kBlocksPerRow * kBlocksPerRow];  ///< kStale: since block_min was found; kTouched: at all
 };
 
 /// What the kernels of one tile did and did not do.
@@ -133,6 +135,12 @@ struct alignas(32) CornerRecord {
 struct alignas(64) ColorRecord {
   float quads[4][4];  ///< d_right, d_down, reference pixel (bits: x + 256·y), error; value; right; down (rgba each)
 };
+
+/// A record's error as a share of its terms (the sum of its weights' absolute values at the reference pixel and of what
+/// they change up to the farthest, times the greatest colour). In roundings u = 2^-24: a weight takes 4, its product
+/// and sum 3, the planes' evaluation 3, the divisor likewise 9, the corners' scaling 2; quotient and fraction 3; C7's
+/// own value 6. The terms are at least the divisor, so that the last two are covered, too: 30 u < 2^-19.
+inline constexpr float kRecordError = 0x1p-19f;
 
 /// What colour records are made from.
 struct RecordJob {

@@ -166,12 +166,8 @@ int RasterizeMedium(const RasterJob& job, const TriangleList& list, TileBuffers&
   for (int first = 0; first < list.n; first += int(hn::Lanes(di))) {
     const int n = std::min(int(hn::Lanes(di)), list.n - first);
     I x[3], y[3];
-    for (int k = 0; k < 3; ++k) x[k] = hn::LoadU(di, list.x[k] + first), y[k] = hn::LoadU(di, list.y[k] + first);
     alignas(64) double z[3][16];
-    for (int i = 0; i < n; ++i) {
-      const std::uint8_t* corners = job.corners + 3 * list.triangle[first + i];
-      for (int k = 0; k < 3; ++k) z[k][i] = job.vertices->z[corners[k]];
-    }
+    LoadCorners(job, list, first, n, x, y, z);
     const PixelBoxes box = BoxesOf(job, x, y);
     const auto area = DoubledArea(x, y);
     const auto px = hn::Add(hn::ShiftLeft<10>(hn::ShiftRight<2>(box.begin_x)), hn::Set(di, job.sample_x_fx8));

@@ -25,10 +25,6 @@ namespace HWY_NAMESPACE {
 
 using F = hn::Vec<Floats>;
 
-/// Error of a record's quotient, and of C7's own value, as a share of the sum of absolute terms: each is made of fewer
-/// than twenty operations rounded to float.
-constexpr float kRecordError = 0x1p-19f;
-
 /// Bytes as C8 rounds them, as floats.
 HWY_INLINE F RoundedToByte(F v) {
   const Floats f;

@@ -75,6 +75,17 @@ HWY_INLINE PixelBoxes BoxesOf(const RasterJob& job, const I (&x)[3], const I (&y
           hn::Min(hn::Set(di, job.end_y), hn::Add(hn::ShiftRight<8>(hn::Sub(y1, sy)), one))};
 }
 
+/// Corners of the n triangles of a list from `first`, a triangle a lane, and their depths.
+HWY_INLINE void LoadCorners(const RasterJob& job, const TriangleList& list, int first, int n, I (&x)[3], I (&y)[3],
+                            double (&z)[3][16]) {
+  const Ints di;
+  for (int k = 0; k < 3; ++k) x[k] = hn::LoadU(di, list.x[k] + first), y[k] = hn::LoadU(di, list.y[k] + first);
+  for (int i = 0; i < n; ++i) {
+    const std::uint8_t* corners = job.corners + 3 * list.triangle[first + i];
+    for (int k = 0; k < 3; ++k) z[k][i] = job.vertices->z[corners[k]];
+  }
+}
+
 /// Doubled areas; exact where the corners are at most 2^14 apart, otherwise anything.
 HWY_INLINE I DoubledArea(const I (&x)[3], const I (&y)[3]) {
   return hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])), hn::Mul(hn::Sub(y[1], y[0]), hn::Sub(x[2], x[0])));

@@ -397,6 +397,7 @@ void Worker::prepare(const Scene& scene, const Image& image) {
     record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
     corners = std::make_unique_for_overwrite<CornerRecord[]>(std::size_t(kMaxClusterVertices) + 8);
     records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);
+    textured = std::make_unique<std::array<Textured, 16>>();
     residents.reserve(kSlots);
     free_slots.reserve(kSlots);
     doubtful = std::make_unique_for_overwrite<Doubtful[]>(kTilePixels);

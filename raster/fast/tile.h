@@ -1,12 +1,14 @@
 #pragma once
 /// One tile of a frame: visibility first, front to back, then each visible sample's colour once, then what is ordered.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "raster/fast/scene.h"
+#include "raster/fast/textured.h"
 
 namespace lode::raster::fast {
 
@@ -37,18 +39,25 @@ struct TileBytes {
   alignas(64) glm::u8vec4 rgba8[kTilePixels];
 };
 
+/// A textured triangle made ready, and whose it is.
+struct Textured {
+  std::uint32_t owner = kNoOwner;
+  TexturedTriangle triangle;
+};
+
 /// Memory of a worker, allocated before the first tile, so that no tile can fail. Most of it is never touched.
 struct Worker {
   std::unique_ptr<TileBuffers> tile;
   std::vector<Waiting> heap;
   std::vector<Resident> residents;  ///< of the slots in use
   std::vector<std::uint32_t> free_slots;
-  std::unique_ptr<WindowVertices128[]> vertices;  ///< [kSlots]
-  std::unique_ptr<std::uint8_t[]> visible;        ///< [kSlots · 128 + 1] 1: owns a sample
-  std::unique_ptr<std::uint32_t[]> record_of;     ///< [kSlots · 128] of visible triangles of flat draws
-  std::unique_ptr<CornerRecord[]> corners;        ///< [128] of one cluster
-  std::unique_ptr<ColorRecord[]> records;         ///< [kMostRecords]
-  std::unique_ptr<Doubtful[]> doubtful;           ///< [kTilePixels]
+  std::unique_ptr<WindowVertices128[]> vertices;       ///< [kSlots]
+  std::unique_ptr<std::uint8_t[]> visible;             ///< [kSlots · 128 + 1] 1: owns a sample
+  std::unique_ptr<std::uint32_t[]> record_of;          ///< [kSlots · 128] of visible triangles of flat draws
+  std::unique_ptr<CornerRecord[]> corners;             ///< [128] of one cluster
+  std::unique_ptr<ColorRecord[]> records;              ///< [kMostRecords]
+  std::unique_ptr<std::array<Textured, 16>> textured;  ///< kept while their neighbours ask for them
+  std::unique_ptr<Doubtful[]> doubtful;                ///< [kTilePixels]
   std::vector<Ids> ids;
   std::unique_ptr<TileBytes> bytes;
   std::span<glm::u8vec4> rgba8;  ///< in `bytes`; empty if the image has none

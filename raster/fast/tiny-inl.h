@@ -84,12 +84,8 @@ int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& t
     const int n = std::min(lanes, list.n - first);
     const auto exists = hn::Lt(hn::Iota(di, 0), hn::Set(di, n));
     I x[3], y[3];
-    for (int k = 0; k < 3; ++k) x[k] = hn::LoadU(di, list.x[k] + first), y[k] = hn::LoadU(di, list.y[k] + first);
     alignas(64) double z[3][16];
-    for (int i = 0; i < n; ++i) {
-      const std::uint8_t* corners = job.corners + 3 * list.triangle[first + i];
-      for (int k = 0; k < 3; ++k) z[k][i] = job.vertices->z[corners[k]];
-    }
+    LoadCorners(job, list, first, n, x, y, z);
     const PixelBoxes box = BoxesOf(job, x, y);
     const auto area = DoubledArea(x, y);
     const auto px = hn::Add(hn::ShiftLeft<8>(box.begin_x), hn::Set(di, job.sample_x_fx8));
