@@ -19,6 +19,7 @@ inline constexpr int kTile_px = kFastTile_px;
 inline constexpr int kTilePixels = kTile_px * kTile_px;
 inline constexpr int kBlock_px = 8;
 inline constexpr int kBlocksPerRow = kTile_px / kBlock_px;
+inline constexpr std::size_t kBlocks = std::size_t(kBlocksPerRow) * kBlocksPerRow;
 inline constexpr std::uint32_t kNoOwner = 0xFFFFFFFFu;
 
 /// Where a pixel of the tile is kept: 8×8 blocks in rows, each as four 4×4 quarters, rows inside.
@@ -65,9 +66,9 @@ struct TileBuffers {
   alignas(64) float depth[kTilePixels];
   alignas(64) std::uint32_t owner[kTilePixels];
   alignas(
-      64) float block_min[kBlocksPerRow * kBlocksPerRow];  ///< no depth of a block is less; the least one unless stale
+      64) float block_min[kBlocks];  ///< no depth of a block is less; the least one unless stale
   alignas(
-      64) std::uint8_t written[kBlocksPerRow * kBlocksPerRow];  ///< kStale: since block_min was found; kTouched: at all
+      64) std::uint8_t written[kBlocks];  ///< kStale: since block_min was found; kTouched: at all
 };
 
 /// What the kernels of one tile did and did not do.
@@ -163,6 +164,7 @@ struct ResolveJob {
   const std::uint32_t* record_of = nullptr;  ///< [owners of the kernels] or kNoRecord
   const ColorRecord* records = nullptr;
   std::uint32_t clear = 0;
+  bool fill = false;  ///< whether strips of two blocks that nothing has touched get the clear's colour, too
   std::uint32_t* rgba8 = nullptr;
   int width_px = 0, height_px = 0;
   Doubtful* doubtful = nullptr;  ///< room for every sample
@@ -176,10 +178,12 @@ inline constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
 
 /// A tile's planes of 32-bit values to the image's rows.
 struct WriteJob {
-  const void* from = nullptr;
+  const void* from = nullptr;  ///< null: all is the clear's
   void* to = nullptr;  ///< the tile's first pixel
   std::size_t pitch_px = 0;
   int width_px = 0, height_px = 0;
+  const std::uint8_t* written = nullptr;  ///< [blocks] those not kTouched are the clear's; null: all are written
+  std::uint32_t clear = 0;
   bool depths = false;  ///< what nothing owns becomes 0
 };
 

@@ -2,6 +2,7 @@
 // Compiled once for each instruction set (Highway's re-included headers).
 
 #include <cstdint>
+#include <cstring>
 
 #if defined(LODE_RASTER_FAST_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LODE_RASTER_FAST_LANES_INL_H_
@@ -39,6 +40,16 @@ alignas(64) constexpr std::int32_t kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2
 template <class Wide, class Half>
 HWY_INLINE hn::Vec<Wide> BothHalves(Wide wide, Half low, Half high) {
   return hn::Combine(wide, high, low);
+}
+
+/// A bit for each lane of the mask; at most 32 lanes.
+template <class Tag, class Mask>
+HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(tag, mask, bits);
+  std::uint32_t out;
+  std::memcpy(&out, bits, 4);
+  return out;
 }
 
 /// Four floats each, `offset` behind as many places as there are groups of four lanes: first[0], first[4], …

@@ -73,87 +73,126 @@ HWY_NOINLINE void FixDepths(const RasterJob& job, const MediumTriangle& t, int x
   }
 }
 
-int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_setup, const MediumTriangle& t,
-               TileBuffers& tile, RasterCounts& counts) {
+/// What the blocks of a triangle have in common: offsets of a 4×4's lanes from its first sample.
+struct MediumLanes {
+  alignas(64) std::int32_t edge[3][16];
+  alignas(64) double depth[16];
+  hn::Vec<Doubles> error;
+  hn::Vec<Floats> z_most;
+  bool ragged;
+};
+
+/// One 4×4 block, from its first pixel; edges and depth at its first sample.
+HWY_INLINE int DrawMediumBlock(const RasterJob& job, const MediumTriangle& t, const MediumLanes& lanes, int x_px,
+                               int y_px, const std::int32_t (&edges)[3], double z, TileBuffers& tile,
+                               RasterCounts& counts) {
   const Ints di;
   const Floats f;
   const Doubles d;
   const hn::RebindToUnsigned<Floats> u;
+  const int place = place_in_tile(x_px, y_px);
+  const auto z_block = hn::Set(d, z);
+  int passed = 0;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+    // Nothing to do where all is nearer than the whole triangle.
+    if (hn::AllTrue(f, hn::Gt(hn::Load(f, tile.depth + place + l), lanes.z_most)) && job.skips.blocks) continue;
+    const auto signs = hn::Or(hn::Or(hn::Add(hn::Set(di, edges[0]), hn::Load(di, lanes.edge[0] + l)),
+                                     hn::Add(hn::Set(di, edges[1]), hn::Load(di, lanes.edge[1] + l))),
+                              hn::Add(hn::Set(di, edges[2]), hn::Load(di, lanes.edge[2] + l)));
+    auto inside = hn::Gt(signs, hn::Set(di, -1));
+    if (lanes.ragged) {
+      const auto lx = hn::Load(di, kLaneX + l), ly = hn::Load(di, kLaneY + l);
+      inside = hn::And(inside, hn::And(hn::Gt(lx, hn::Set(di, t.begin_x - x_px - 1)),
+                                       hn::Lt(lx, hn::Set(di, t.end_x - x_px))));
+      inside = hn::And(inside, hn::And(hn::Gt(ly, hn::Set(di, t.begin_y - y_px - 1)),
+                                       hn::Lt(ly, hn::Set(di, t.end_y - y_px))));
+    }
+    if (hn::AllFalse(di, inside)) continue;
+    counts.fragments += hn::CountTrue(di, inside);
+    const RoundedDepths first = RoundBoth(hn::Add(z_block, hn::Load(d, lanes.depth + l)), lanes.error);
+    const RoundedDepths second =
+        RoundBoth(hn::Add(z_block, hn::Load(d, lanes.depth + l + hn::Lanes(d))), lanes.error);
+    auto depth = BothHalves(f, first.low, second.low);
+    const auto covered = hn::RebindMask(f, inside);
+    const auto doubt = hn::And(covered, hn::Ne(depth, BothHalves(f, first.high, second.high)));
+    if (HWY_UNLIKELY(!hn::AllFalse(f, doubt))) {
+      alignas(64) std::uint32_t flags[16];
+      alignas(64) float depths[16];
+      hn::Store(hn::VecFromMask(u, hn::RebindMask(u, doubt)), u, flags);
+      hn::Store(depth, f, depths);
+      std::uint32_t doubtful = 0;
+      for (std::size_t i = 0; i < hn::Lanes(di); ++i) doubtful |= (flags[i] & 1) << i;
+      FixDepths(job, t, x_px, y_px, l, doubtful, depths);
+      depth = hn::Load(f, depths);
+    }
+    passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);
+  }
+  if (passed) tile.written[place >> 6] = kStale | kTouched;
+  return passed;
+}
+
+/// Sixteen blocks at a time, four by four: first which of them the triangle can touch, then those.
+int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_setup, const MediumTriangle& t,
+               TileBuffers& tile, RasterCounts& counts) {
+  constexpr int kWindow = 4;  // blocks
+  const Ints di;
+  const Doubles d;
   const int s = lane_of_setup;
-  const int bx0 = t.begin_x >> 2, bx1 = (t.end_x - 1) >> 2, by0 = t.begin_y >> 2, by1 = (t.end_y - 1) >> 2;
-  const bool ragged = ((job.begin_x | job.begin_y | job.end_x | job.end_y) & 3) != 0;
-  alignas(64) std::int32_t edge_lane[3][16];
-  std::int32_t row[3], right[3], down[3], most[3];
+  const int bx0 = t.begin_x >> 2, by0 = t.begin_y >> 2;
+  const int columns = ((t.end_x - 1) >> 2) - bx0 + 1, rows = ((t.end_y - 1) >> 2) - by0 + 1;
+  MediumLanes lanes;
+  lanes.ragged = ((job.begin_x | job.begin_y | job.end_x | job.end_y) & 3) != 0;
+  lanes.error = hn::Set(d, setups.planes.error[s]);
+  lanes.z_most = hn::Set(Floats(), float(std::max({t.cz[0], t.cz[1], t.cz[2]})));
+  std::int32_t most[3];  // what the best sample of a block adds to its first
   for (int k = 0; k < 3; ++k) {
     const std::int32_t x = setups.right[k][s], y = setups.down[k][s];
-    row[k] = setups.at[k][s], right[k] = 4 * x, down[k] = 4 * y;
     most[k] = 3 * (std::max(x, 0) + std::max(y, 0));
     for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
       hn::Store(
           hn::Add(hn::Mul(hn::Set(di, x), hn::Load(di, kLaneX + l)), hn::Mul(hn::Set(di, y), hn::Load(di, kLaneY + l))),
-          di, edge_lane[k] + l);
+          di, lanes.edge[k] + l);
     }
   }
-  alignas(64) double depth_lane[16];
   const double z_x = setups.planes.x[s], z_y = setups.planes.y[s];
   for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
     hn::Store(hn::Add(hn::Mul(hn::Set(d, z_x), hn::Load(d, kLaneXInDouble + l)),
                       hn::Mul(hn::Set(d, z_y), hn::Load(d, kLaneYInDouble + l))),
-              d, depth_lane + l);
+              d, lanes.depth + l);
   }
-  const auto error = hn::Set(d, setups.planes.error[s]);
-  const auto z_most = hn::Set(f, float(std::max({t.cz[0], t.cz[1], t.cz[2]})));
   int n_passed = 0;
-  for (int by = by0; by <= by1; ++by) {
-    std::int32_t at[3] = {row[0], row[1], row[2]};
-    for (int bx = bx0; bx <= bx1; ++bx) {
-      const bool misses = ((at[0] + most[0]) | (at[1] + most[1]) | (at[2] + most[2])) < 0;
-      if (!misses || !job.skips.blocks) {
-        ++counts.blocks;
-        const int place = place_in_tile(bx * 4, by * 4);
-        const auto z_block = hn::Set(d, setups.planes.at[s] + (z_x * (4.0 * (bx - bx0)) + z_y * (4.0 * (by - by0))));
-        int passed = 0;
-        for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
-          // Nothing to do where all is nearer than the whole triangle.
-          if (hn::AllTrue(f, hn::Gt(hn::Load(f, tile.depth + place + l), z_most)) && job.skips.blocks) continue;
-          const auto signs = hn::Or(hn::Or(hn::Add(hn::Set(di, at[0]), hn::Load(di, edge_lane[0] + l)),
-                                           hn::Add(hn::Set(di, at[1]), hn::Load(di, edge_lane[1] + l))),
-                                    hn::Add(hn::Set(di, at[2]), hn::Load(di, edge_lane[2] + l)));
-          auto inside = hn::Gt(signs, hn::Set(di, -1));
-          if (ragged) {
-            const auto lx = hn::Load(di, kLaneX + l), ly = hn::Load(di, kLaneY + l);
-            inside = hn::And(inside, hn::And(hn::Gt(lx, hn::Set(di, t.begin_x - bx * 4 - 1)),
-                                             hn::Lt(lx, hn::Set(di, t.end_x - bx * 4))));
-            inside = hn::And(inside, hn::And(hn::Gt(ly, hn::Set(di, t.begin_y - by * 4 - 1)),
-                                             hn::Lt(ly, hn::Set(di, t.end_y - by * 4))));
-          }
-          if (hn::AllFalse(di, inside)) continue;
-          counts.fragments += hn::CountTrue(di, inside);
-          const RoundedDepths first = RoundBoth(hn::Add(z_block, hn::Load(d, depth_lane + l)), error);
-          const RoundedDepths second = RoundBoth(hn::Add(z_block, hn::Load(d, depth_lane + l + hn::Lanes(d))), error);
-          auto depth = BothHalves(f, first.low, second.low);
-          const auto covered = hn::RebindMask(f, inside);
-          const auto doubt = hn::And(covered, hn::Ne(depth, BothHalves(f, first.high, second.high)));
-          if (HWY_UNLIKELY(!hn::AllFalse(f, doubt))) {
-            alignas(64) std::uint32_t flags[16];
-            alignas(64) float depths[16];
-            hn::Store(hn::VecFromMask(u, hn::RebindMask(u, doubt)), u, flags);
-            hn::Store(depth, f, depths);
-            std::uint32_t lanes = 0;
-            for (std::size_t i = 0; i < hn::Lanes(di); ++i) lanes |= (flags[i] & 1) << i;
-            FixDepths(job, t, bx * 4, by * 4, l, lanes, depths);
-            depth = hn::Load(f, depths);
-          }
-          passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);
+  for (int wy = 0; wy < rows; wy += kWindow) {
+    for (int wx = 0; wx < columns; wx += kWindow) {
+      // A window's blocks lie to each other as a block's samples do, four times as far.
+      alignas(64) std::int32_t edges[3][16];
+      alignas(64) double depths[16];
+      std::uint32_t touched = 0;
+      for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+        auto signs = hn::Zero(di);
+        for (int k = 0; k < 3; ++k) {
+          const std::int32_t at = setups.at[k][s] + 4 * (wx * setups.right[k][s] + wy * setups.down[k][s]);
+          const auto edge = hn::Add(hn::Set(di, at), hn::ShiftLeft<2>(hn::Load(di, lanes.edge[k] + l)));
+          hn::Store(edge, di, edges[k] + l);
+          signs = hn::Or(signs, hn::Add(edge, hn::Set(di, most[k])));
         }
-        if (passed) tile.written[place >> 6] = kStale | kTouched;
-        n_passed += passed;
-      } else {
-        ++counts.blocks_outside;
+        touched |= BitsOf(di, hn::Gt(signs, hn::Set(di, -1))) << l;
       }
-      for (int k = 0; k < 3; ++k) at[k] += right[k];
+      const auto z_window = hn::Set(d, setups.planes.at[s] + (z_x * (4.0 * wx) + z_y * (4.0 * wy)));
+      for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
+        hn::Store(hn::Add(z_window, hn::Mul(hn::Set(d, 4.0), hn::Load(d, lanes.depth + l))), d, depths + l);
+      }
+      const std::uint32_t of_row = (1u << std::min(kWindow, columns - wx)) - 1;
+      const std::uint32_t there = of_row * 0x1111u & ((1u << 4 * std::min(kWindow, rows - wy)) - 1);
+      if (!job.skips.blocks) touched = there;
+      touched &= there;
+      counts.blocks += hwy::PopCount(touched);
+      counts.blocks_outside += hwy::PopCount(there & ~touched);
+      for (; touched != 0; touched &= touched - 1) {
+        const auto i = int(hwy::Num0BitsBelowLS1Bit_Nonzero32(touched));
+        n_passed += DrawMediumBlock(job, t, lanes, 4 * (bx0 + wx + (i & 3)), 4 * (by0 + wy + (i >> 2)),
+                                    {edges[0][i], edges[1][i], edges[2][i]}, depths[i], tile, counts);
+      }
     }
-    for (int k = 0; k < 3; ++k) row[k] += down[k];
   }
   return n_passed;
 }

@@ -27,7 +27,7 @@ void Records::make() {
   }
   // Without branches: whose the next sample is, is hard to guess. Pieces and nothing mark a place of no slot.
   constexpr std::uint32_t kNowhere = kSlots * kSlotTriangles;
-  for (std::size_t block = 0; block < std::size_t(kBlocksPerRow * kBlocksPerRow); ++block) {
+  for (std::size_t block = 0; block < kBlocks; ++block) {
     if ((w_.tile->written[block] & kTouched) == 0) continue;
     for (std::size_t i = 64 * block; i < 64 * block + 64; ++i) {
       const std::uint32_t owner = w_.tile->owner[i];

@@ -125,83 +125,73 @@ void MakeRecords(const RecordJob& job, const std::uint8_t* triangles, int n, Col
   }
 }
 
-/// Lanes of a 4×4 from `lane`: bytes, and a bit for each lane that the records cannot tell.
-HWY_INLINE std::uint32_t ShadeSome(const F (&q)[4][4], std::size_t lane, int x_px, int y_px, std::uint32_t* bytes) {
+/// Planes as each lane has them: quads[i][k] of its record.
+struct Planes {
+  F quads[4][4];
+};
+HWY_INLINE void PlanesOfAll(const ColorRecord& record, Planes& p) {
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) p.quads[i][k] = hn::Set(Floats(), record.quads[i][k]);
+  }
+}
+template <class Mask>
+HWY_INLINE void PlanesOfLanes(const ColorRecord& record, Mask lanes, Planes& p) {
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 4; ++k) {
+      p.quads[i][k] = hn::IfThenElse(lanes, hn::Set(Floats(), record.quads[i][k]), p.quads[i][k]);
+    }
+  }
+}
+
+/// Bytes of lanes of a 4×4 from `lane`, and a bit for each of which the planes cannot tell the byte.
+struct ShadedBytes {
+  I bytes;
+  std::uint32_t doubtful;
+};
+HWY_INLINE ShadedBytes ShadeSome(const Planes& p, std::size_t lane, int x_px, int y_px) {
   const Ints di;
   const Floats f;
+  const auto& q = p.quads;
   const auto reference = hn::BitCast(di, q[0][2]);
   const auto from = [&](I px, I ref) HWY_ATTR { return hn::ConvertTo(f, hn::Sub(px, ref)); };
   const auto dx = from(hn::Add(hn::Set(di, x_px), hn::Load(di, kLaneX + lane)), hn::And(reference, hn::Set(di, 255)));
   const auto dy = from(hn::Add(hn::Set(di, y_px), hn::Load(di, kLaneY + lane)), hn::ShiftRight<8>(reference));
-  const auto one = hn::Set(f, 1.0f), half = hn::Set(f, 0.5f);
-  const auto divisor = hn::Add(hn::Add(one, hn::Mul(q[0][0], dx)), hn::Mul(q[0][1], dy));
+  const auto one = hn::Set(f, 1.0f), full = hn::Set(f, 255.0f);
+  const auto divisor = hn::MulAdd(q[0][1], dy, hn::MulAdd(q[0][0], dx, one));
   const auto inverse = hn::Div(one, divisor);
-  const auto margin = hn::Mul(q[0][3], inverse);
-  const auto below_one = hn::Sub(one, margin);
-  auto sure = hn::Gt(divisor, hn::Zero(f));
-  auto packed = hn::Zero(di);
+  // A byte is sure if its value is nearer to it than half by more than the margin. Values beyond 0 and 255 are as sure
+  // as those two. Added to 1.5 · 2^23, a value is rounded to a whole number, which then stands in the float's low bits.
+  const auto magic = hn::Set(f, 0x1.8p23f);
+  auto farthest = hn::Zero(f);
+  auto bytes = hn::Zero(di);
   for (std::size_t c = 4; c-- > 0;) {
-    const auto value = hn::Mul(hn::Add(hn::Add(q[1][c], hn::Mul(q[2][c], dx)), hn::Mul(q[3][c], dy)), inverse);
-    const auto shifted = hn::Add(hn::Min(hn::Max(value, hn::Set(f, -1.0f)), hn::Set(f, 256.0f)), half);
-    const auto whole = hn::Floor(shifted);
-    const auto fraction = hn::Sub(shifted, whole);
-    sure = hn::And(sure, hn::And(hn::Gt(fraction, margin), hn::Lt(fraction, below_one)));
-    const auto byte = hn::ConvertTo(di, hn::Min(hn::Max(whole, hn::Zero(f)), hn::Set(f, 255.0f)));
-    packed = hn::Or(hn::ShiftLeft<8>(packed), byte);
+    const auto value = hn::Mul(hn::MulAdd(q[3][c], dy, hn::MulAdd(q[2][c], dx, q[1][c])), inverse);
+    const auto clamped = hn::Min(hn::Max(value, hn::Zero(f)), full);
+    const auto rounded = hn::Add(clamped, magic);
+    farthest = hn::Max(farthest, hn::Abs(hn::Sub(clamped, hn::Sub(rounded, magic))));
+    bytes = hn::Add(hn::ShiftLeft<8>(bytes), hn::BitCast(di, rounded));
   }
-  hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(bytes) + lane);
-  if (HWY_LIKELY(hn::AllTrue(f, sure))) return 0;
-  alignas(64) std::int32_t flags[16];
-  hn::Store(hn::VecFromMask(di, hn::RebindMask(di, sure)), di, flags);
-  std::uint32_t doubtful = 0;
-  for (std::size_t i = 0; i < hn::Lanes(f); ++i) doubtful |= flags[i] == 0 ? 1u << (lane + i) : 0u;
-  return doubtful;
+  constexpr std::uint32_t kMagicBits = 0x4B400000u;  // of which each byte's sum holds one
+  bytes = hn::Sub(bytes, hn::Set(di, std::int32_t(kMagicBits * 0x01010101u)));
+  const auto margin = hn::Mul(q[0][3], inverse);
+  const auto sure =
+      hn::And(hn::Gt(divisor, hn::Zero(f)), hn::Lt(farthest, hn::Sub(hn::Set(f, 0.5f), margin)));
+  return {bytes, BitsOf(f, hn::Not(sure)) & ((1u << hn::Lanes(f)) - 1)};
 }
 
 std::uint32_t ShadeRecords(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,
                            std::uint32_t* bytes) {
-  const Floats f;
-  const Ints di;
-  const auto first = hn::Set(di, std::int32_t(index[0]));
-  bool same = true;
-  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
-    same &= hn::AllTrue(di, hn::Eq(hn::LoadU(di, reinterpret_cast<const std::int32_t*>(index) + l), first));
-  }
-  std::uint32_t doubtful = 0;
-  F q[4][4];
-  if (same) {
-    const ColorRecord& r = records[index[0]];
-    for (int i = 0; i < 4; ++i) {
-      for (int k = 0; k < 4; ++k) q[i][k] = hn::Set(f, r.quads[i][k]);
-    }
-    for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
-    return doubtful;
-  }
   const float* from[16];
   for (std::size_t i = 0; i < 16; ++i) from[i] = records[index[i]].quads[0];
-  for (std::size_t l = 0; l < 16; l += hn::Lanes(f)) {
-    for (std::size_t k = 0; k < 4; ++k) LoadTransposed(from + l, 4 * k, q[k]);
-    doubtful |= ShadeSome(q, l, x_px, y_px, bytes);
+  std::uint32_t doubtful = 0;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(Floats())) {
+    Planes p;
+    for (std::size_t k = 0; k < 4; ++k) LoadTransposed(from + l, 4 * k, p.quads[k]);
+    const ShadedBytes shaded = ShadeSome(p, l, x_px, y_px);
+    hn::StoreU(shaded.bytes, Ints(), reinterpret_cast<std::int32_t*>(bytes) + l);
+    doubtful |= shaded.doubtful << l;
   }
   return doubtful;
-}
-
-/// Bits of a 4×4's owners: nothing's, and those that are pieces or nothing's.
-struct OwnerBits {
-  std::uint32_t none = 0, pieces = 0;
-};
-HWY_INLINE OwnerBits LookAtOwners(const std::uint32_t* owners) {
-  const Ints di;
-  OwnerBits bits;
-  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
-    const auto v = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(owners) + l);
-    std::uint8_t none[8] = {}, pieces[8] = {};
-    hn::StoreMaskBits(di, hn::Eq(v, hn::Set(di, -1)), none);
-    hn::StoreMaskBits(di, hn::Lt(v, hn::Zero(di)), pieces);
-    bits.none |= std::uint32_t(none[0] | none[1] << 8) << l;
-    bits.pieces |= std::uint32_t(pieces[0] | pieces[1] << 8) << l;
-  }
-  return bits;
 }
 
 /// n: a multiple of sixteen
@@ -212,52 +202,86 @@ HWY_INLINE void Fill(std::uint32_t* to, std::size_t n, std::uint32_t value) {
   }
 }
 
+/// Lanes of a 4×4 from `lane`, of which `inside` are samples of the picture. Returns those that have no record.
+HWY_INLINE std::uint32_t ResolveSome(const ResolveJob& job, std::size_t base, std::size_t lane, int x, int y,
+                                     std::uint32_t inside) {
+  constexpr int kFew = 6;  // so many owners' records are spread over their lanes; of more, each lane's is loaded
+  const Ints di;
+  const Floats f;
+  const auto* owners_at = reinterpret_cast<const std::int32_t*>(job.tile->owner + base + lane);
+  const auto owners = hn::Load(di, owners_at);
+  const std::uint32_t pieces_and_nothing = BitsOf(di, hn::Lt(owners, hn::Zero(di)));
+  const std::uint32_t nothing = BitsOf(di, hn::Eq(owners, hn::Set(di, -1)));
+  const auto clear = hn::Set(di, std::int32_t(job.clear));
+  *job.n_shaded += std::uint64_t(hwy::PopCount(inside & ~nothing));
+  std::uint32_t others = inside & pieces_and_nothing & ~nothing;
+  std::uint32_t lanes = inside & ~pieces_and_nothing;
+  auto* out = reinterpret_cast<std::int32_t*>(job.rgba8 + base + lane);
+  if (lanes == 0) {
+    hn::Store(clear, di, out);
+    return others;
+  }
+  const auto first_of = [&](std::uint32_t some) HWY_ATTR { return owners_at[hwy::Num0BitsBelowLS1Bit_Nonzero32(some)]; };
+  Planes p;
+  std::uint32_t left = lanes;
+  bool any = false;
+  for (int i = 0; left != 0 && i < kFew; ++i) {
+    const std::int32_t owner = first_of(left);
+    const auto its = hn::Eq(owners, hn::Set(di, owner));
+    const std::uint32_t record = job.record_of[owner];
+    left &= ~BitsOf(di, its);
+    if (HWY_UNLIKELY(record == kNoRecord)) {
+      others |= lanes & BitsOf(di, its);
+    } else if (!any) {
+      PlanesOfAll(job.records[record], p);
+      any = true;
+    } else {
+      PlanesOfLanes(job.records[record], hn::RebindMask(f, its), p);
+    }
+  }
+  if (left != 0) {
+    const float* from[16];
+    for (std::size_t k = 0; k < hn::Lanes(di); ++k) {
+      std::uint32_t record = (lanes >> k & 1) != 0 ? job.record_of[owners_at[k]] : 0;
+      if (HWY_UNLIKELY(record == kNoRecord)) others |= 1u << k, record = 0;
+      from[k] = job.records[record].quads[0];
+    }
+    for (std::size_t k = 0; k < 4; ++k) LoadTransposed(from, 4 * k, p.quads[k]);
+    any = true;
+  }
+  lanes &= ~others;
+  if (!any || lanes == 0) {
+    hn::Store(clear, di, out);
+    return others;
+  }
+  const ShadedBytes shaded = ShadeSome(p, lane, x, y);
+  hn::Store(hn::IfThenElse(hn::Lt(owners, hn::Zero(di)), clear, shaded.bytes), di, out);
+  for (std::uint32_t doubtful = shaded.doubtful & lanes; doubtful != 0; doubtful &= doubtful - 1) {
+    const std::size_t k = lane + hwy::Num0BitsBelowLS1Bit_Nonzero32(doubtful);
+    job.doubtful[(*job.n_doubtful)++] = {std::uint32_t(base + k), std::uint16_t(std::size_t(x) + (k & 3)),
+                                         std::uint16_t(std::size_t(y) + (k >> 2))};
+  }
+  return others;
+}
+
 /// One 4×4, of which `inside` are samples of the picture.
 HWY_INLINE void ResolveBlock(const ResolveJob& job, int x, int y, std::uint32_t inside) {
   const auto base = std::size_t(place_in_tile(x, y));
-  const std::uint32_t* owners = job.tile->owner + base;
-  std::uint32_t* out = job.rgba8 + base;
-  const OwnerBits bits = LookAtOwners(owners);
-  if (bits.none != 0) {
-    Fill(out, 16, job.clear);
-    inside &= ~bits.none;
-    if (inside == 0) return;
-  }
-  *job.n_shaded += std::uint64_t(hwy::PopCount(inside));
-  std::uint32_t lanes = inside & ~bits.pieces;
-  if (lanes == 0) return job.shade_others(job.context, x, y, inside);
-  const std::uint32_t some = owners[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
-  alignas(64) std::uint32_t index[16], bytes[16];
+  constexpr std::uint32_t kAll = (1u << hn::MaxLanes(Ints())) - 1;
   std::uint32_t others = 0;
-  const std::uint32_t some_record = job.record_of[some];
-  for (std::uint32_t k = 0; k < 16; ++k) {
-    const std::uint32_t record = lanes >> k & 1 ? job.record_of[owners[k]] : some_record;
-    others |= record == kNoRecord ? 1u << k : 0u;
-    index[k] = record == kNoRecord ? 0 : record;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(Ints())) {
+    others |= ResolveSome(job, base, l, x, y, inside >> l & kAll) << l;
   }
-  lanes &= ~others;
-  if (lanes != 0) {
-    std::uint32_t doubtful = ShadeRecords(job.records, index, x, y, bytes) & lanes;
-    if (lanes == 0xFFFF) {
-      std::memcpy(out, bytes, 64);
-    } else {
-      for (std::uint32_t k = 0; k < 16; ++k) out[k] = lanes >> k & 1 ? bytes[k] : out[k];
-    }
-    for (; doubtful != 0; doubtful &= doubtful - 1) {
-      const auto k = std::uint32_t(hwy::Num0BitsBelowLS1Bit_Nonzero32(doubtful));
-      job.doubtful[(*job.n_doubtful)++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)),
-                                           std::uint16_t(y + int(k >> 2))};
-    }
-  }
-  if ((inside & ~lanes) != 0) job.shade_others(job.context, x, y, inside & ~lanes);
+  if (others != 0) job.shade_others(job.context, x, y, others);
 }
 
 void ResolveRecords(const ResolveJob& job) {
   for (int y = 0; y < job.height_px; y += kBlock_px) {
+    const std::uint8_t* written = job.tile->written + y / kBlock_px * kBlocksPerRow;
     for (int x = 0; x < job.width_px; x += kBlock_px) {
-      const int place = place_in_tile(x, y);
-      if ((job.tile->written[place / 64] & kTouched) == 0) {
-        Fill(job.rgba8 + place, 64, job.clear);
+      const int place = place_in_tile(x, y), column = x / kBlock_px;
+      if ((written[column] & kTouched) == 0) {
+        if (job.fill || (written[column ^ 1] & kTouched) != 0) Fill(job.rgba8 + place, 64, job.clear);
         continue;
       }
       for (int quarter = 0; quarter < 4; ++quarter) {

@@ -14,13 +14,15 @@ namespace {
 
 class Resolver {
  public:
-  Resolver(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8)
+  Resolver(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
+           bool fill)
       : scene_(scene),
         w_(worker),
         owners_(scene, worker, box),
         records_(scene, worker, box, sample_fx8),
         box_(box),
-        sample_fx8_(sample_fx8) {
+        sample_fx8_(sample_fx8),
+        fill_(fill) {
     size_ = box.end_px - box.begin_px;
     has_color_ = !image.rgba8.empty() || !image.rgba32f.empty();
     has_ids_ = !image.ids.empty();
@@ -53,6 +55,7 @@ class Resolver {
     job.tile = w_.tile.get();
     job.record_of = w_.record_of.get(), job.records = w_.records.get();
     std::memcpy(&job.clear, &clear8_, 4);
+    job.fill = fill_;
     job.rgba8 = reinterpret_cast<std::uint32_t*>(w_.rgba8.data());
     job.width_px = size_.x, job.height_px = size_.y;
     job.doubtful = w_.doubtful.get(), job.n_doubtful = &n_doubtful_;
@@ -253,6 +256,7 @@ class Resolver {
   glm::ivec2 sample_fx8_;
   glm::ivec2 size_{0, 0};
   ColorFormat format_ = ColorFormat::rgba8;
+  bool fill_;
   bool has_color_ = false, has_ids_ = false, by_records_ = false;
   glm::u8vec4 clear8_{0};
   glm::vec4 clear32_{0.0f};
@@ -261,8 +265,9 @@ class Resolver {
 
 }  // namespace
 
-void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8) {
-  Resolver(scene, worker, image, box, sample_fx8).run();
+void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
+             bool fill) {
+  Resolver(scene, worker, image, box, sample_fx8, fill).run();
 }
 
 }  // namespace lode::raster::fast

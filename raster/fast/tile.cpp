@@ -29,12 +29,16 @@ class TileDrawer {
     if (nothing_here()) return clear_image();
     ++w_.stats.tiles;
     const std::size_t n_samples = scene_.frame->samples_fx8.size();
+    const auto row = scene_.row(row_);
+    const bool any_ordered =
+        std::any_of(row.begin(), row.end(), [&](std::uint32_t i) { return touches(i) && !draw_of(i).order_free(); });
+    every_block_ = any_ordered || n_samples > 1;
     for (std::size_t k = 0; k < n_samples; ++k) {
       sample_fx8_ = scene_.frame->samples_fx8[k];
       clear();
       draw_pieces();
       draw_clusters();
-      resolve(scene_, w_, image_, box_, sample_fx8_);
+      resolve(scene_, w_, image_, box_, sample_fx8_, every_block_);
       for (const std::uint32_t i : scene_.row(row_)) {
         if (touches(i) && !draw_of(i).order_free()) draw_in_order(i);
       }
@@ -63,26 +67,29 @@ class TileDrawer {
   }
 
   void clear_image() {
-    const glm::u8vec4 clear8 = store_rgba8(scene_.frame->clear);
+    WriteJob job = write_job();
+    write_planes(job, nullptr, nullptr);
     const glm::vec4 clear32 = store_rgba32f(scene_.frame->clear);
-    for (int y = box_.begin_px.y; y < box_.end_px.y; ++y) {
-      const std::size_t to = std::size_t(y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
-      const auto fill = [&](auto& plane, const auto& value) {
-        if (!plane.empty()) std::fill_n(plane.begin() + std::ptrdiff_t(to), size_.x, value);
-      };
-      fill(image_.rgba8, clear8), fill(image_.rgba32f, clear32), fill(image_.depth, 0.0f);
-      fill(image_.ids, Ids{kNoId, kNoId});
+    for (int y = 0; y < size_.y; ++y) {
+      const std::size_t to = first_px() + std::size_t(y) * job.pitch_px;
+      if (!image_.rgba32f.empty()) std::fill_n(&image_.rgba32f[to], size_.x, clear32);
+      if (!image_.ids.empty()) std::fill_n(&image_.ids[to], size_.x, Ids{kNoId, kNoId});
     }
   }
 
   void clear() {
     TileBuffers& tile = *w_.tile;
-    std::fill_n(tile.depth, kTilePixels, -1.0f);
-    std::fill_n(tile.owner, kTilePixels, kNoOwner);
-    std::fill_n(tile.block_min, kBlocksPerRow * kBlocksPerRow, -1.0f);
-    std::fill_n(tile.written, kBlocksPerRow * kBlocksPerRow, std::uint8_t(0));
+    const bool whole_tile = size_.x == kTile_px && size_.y == kTile_px;
+    for (std::size_t block = 0; block < kBlocks; ++block) {
+      if (whole_tile && w_.whole_tile && (tile.written[block] & kTouched) == 0) continue;
+      std::fill_n(tile.depth + 64 * block, 64, -1.0f);
+      std::fill_n(tile.owner + 64 * block, 64, kNoOwner);
+      tile.block_min[block] = -1.0f;
+      tile.written[block] = 0;
+    }
+    w_.whole_tile = whole_tile;
     // Places outside the picture must not keep a block from being covered.
-    if (size_.x < kTile_px || size_.y < kTile_px) {
+    if (!whole_tile) {
       for (int y = 0; y < kTile_px; ++y) {
         for (int x = y < size_.y ? size_.x : 0; x < kTile_px; ++x) tile.depth[place_in_tile(x, y)] = 2.0f;
       }
@@ -319,6 +326,7 @@ class TileDrawer {
       if (draw.writes_depth()) {
         tile.depth[i] = depth;
         tile.owner[i] = index | kPieceBit;
+        tile.written[i / 64] = kStale | kTouched;
       }
       if (!image_.ids.empty() && (draw.writes_depth() || scene_.options->ids_from_ordered_draws)) w_.ids[i] = p.ids;
     });
@@ -353,18 +361,32 @@ class TileDrawer {
     }
   }
 
-  void write() {
-    const std::size_t first =
-        std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
-    WriteJob job{.pitch_px = std::size_t(image_.size_px.x), .width_px = size_.x, .height_px = size_.y};
+  /// Of the tile's first pixel in the image.
+  [[nodiscard]] std::size_t first_px() const {
+    return std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
+  }
+  [[nodiscard]] WriteJob write_job() const {
+    return {.pitch_px = std::size_t(image_.size_px.x), .width_px = size_.x, .height_px = size_.y};
+  }
+  /// Bytes and depths; null: the clear's.
+  void write_planes(WriteJob& job, const void* rgba8, const void* depth) {
     if (!image_.rgba8.empty()) {
-      job.from = w_.rgba8.data(), job.to = &image_.rgba8[first];
+      const glm::u8vec4 clear8 = store_rgba8(scene_.frame->clear);
+      std::memcpy(&job.clear, &clear8, 4);
+      job.from = rgba8, job.to = &image_.rgba8[first_px()];
       scene_.kernels->write_tile(job);
     }
     if (!image_.depth.empty()) {
-      job.from = w_.tile->depth, job.to = &image_.depth[first], job.depths = true;
+      job.from = depth, job.to = &image_.depth[first_px()], job.depths = true, job.clear = 0;
       scene_.kernels->write_tile(job);
     }
+  }
+
+  void write() {
+    WriteJob job = write_job();
+    job.written = every_block_ ? nullptr : w_.tile->written;
+    write_planes(job, w_.rgba8.data(), w_.tile->depth);
+    const std::size_t first = first_px();
     for (int y = 0; y < size_.y; ++y) {
       for (int x = 0; x < size_.x; ++x) {
         const auto from = std::size_t(place_in_tile(x, y)), to = first + std::size_t(y) * job.pitch_px + std::size_t(x);
@@ -385,6 +407,7 @@ class TileDrawer {
   glm::ivec2 size_{0, 0};
   glm::ivec2 sample_fx8_{128, 128};
   bool has_color_ = false;
+  bool every_block_ = false;  ///< of the tile's colours is made, not only those that were touched
   std::uint32_t slot_ = 0;
 };
 

@@ -48,6 +48,7 @@ struct Textured {
 /// Memory of a worker, allocated before the first tile, so that no tile can fail. Most of it is never touched.
 struct Worker {
   std::unique_ptr<TileBuffers> tile;
+  bool whole_tile = false;  ///< the last one was: its blocks that nothing has touched are clear, to their edges
   std::vector<Waiting> heap;
   std::vector<Resident> residents;  ///< of the slots in use
   std::vector<std::uint32_t> free_slots;
@@ -101,8 +102,9 @@ class Owners {
   PixelBox box_;
 };
 
-/// Colours and ids of the tile's samples, from their owners.
-void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8);
+/// Colours and ids of the tile's samples, from their owners. fill: also the bytes of blocks that nothing has touched.
+void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
+             bool fill);
 
 /// Draws the pixels of the box, which lies in row `row` of tiles, and writes them to the image.
 void draw_tile(const Scene& scene, Worker& worker, Image& image, const PixelBox& box, std::size_t row);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
+#include <hwy/cache_control.h>
 
 #include "raster/fast/kernels.h"
 
@@ -20,26 +20,72 @@ HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
-void WriteTile(const WriteJob& job) {
-  const hn::CappedTag<float, 4> f;
-  const auto* from = static_cast<const float*>(job.from);
-  auto* to = static_cast<float*>(job.to);
-  for (int y = 0; y < job.height_px; ++y) {
-    float* row = to + std::size_t(y) * job.pitch_px;
-    const int whole = hn::Lanes(f) == 4 ? job.width_px & ~3 : 0;
-    for (int x = 0; x < whole; x += 4) {
-      if (job.depths) {
-        const auto v = hn::Load(f, from + place_in_tile(x, y));
-        hn::StoreU(hn::IfThenElseZero(hn::Gt(v, hn::Zero(f)), v), f, row + x);  // of a zero, the positive one
+/// Pixels of a row of the tile, beginning with x (a multiple of four), from the fours that lie together.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> PixelsOfRow(Tag tag, const std::int32_t* from, int x, int y) {
+  if constexpr (hn::MaxLanes(Tag()) > 4) {
+    const hn::Half<Tag> half;
+    return hn::Combine(tag, PixelsOfRow(half, from, x + int(hn::MaxLanes(Tag())) / 2, y), PixelsOfRow(half, from, x, y));
+  } else {
+    return hn::Load(tag, from + place_in_tile(x, y));
+  }
+}
+
+/// What nothing owns has depth 0, and of a zero, the positive one is written.
+HWY_INLINE I AsWritten(I v, bool depths) {
+  const Floats f;
+  const Ints di;
+  if (!depths) return v;
+  return hn::BitCast(di, hn::IfThenElseZero(hn::Gt(hn::BitCast(f, v), hn::Zero(f)), hn::BitCast(f, v)));
+}
+
+/// Strips of two blocks side by side are written together: a row of both is a line of the cache.
+constexpr int kStrip_px = 2 * kBlock_px;
+
+/// A whole strip; from: its first pixel in the tile, null for the clear's.
+HWY_INLINE void WriteStrip(const std::int32_t* from, std::int32_t* to, std::size_t pitch_px, I clear, bool depths, bool stream) {
+  const Ints di;
+  constexpr int kLanes = int(hn::MaxLanes(Ints()));
+  for (int y = 0; y < kBlock_px; ++y) {
+    for (int x = 0; x < kStrip_px; x += kLanes) {
+      const auto v = from ? AsWritten(PixelsOfRow(di, from, x, y), depths) : clear;
+      if (stream) {
+        hn::Stream(v, di, to + std::size_t(y) * pitch_px + x);
       } else {
-        std::memcpy(row + x, from + place_in_tile(x, y), 16);
+        hn::StoreU(v, di, to + std::size_t(y) * pitch_px + x);
       }
     }
-    for (int x = whole; x < job.width_px; ++x) {
-      float v;
-      std::memcpy(&v, from + place_in_tile(x, y), 4);
-      if (job.depths) v = v > 0.0f ? v : 0.0f;
-      std::memcpy(row + x, &v, 4);
+  }
+}
+
+void WriteTile(const WriteJob& job) {
+  const Ints di;
+  const auto* from = static_cast<const std::int32_t*>(job.from);
+  auto* to = static_cast<std::int32_t*>(job.to);
+  const auto clear = hn::Set(di, std::int32_t(job.clear));
+  const bool stream = (reinterpret_cast<std::uintptr_t>(to) | job.pitch_px * 4) % 64 == 0;
+  const auto touched = [&](int x, int y) {
+    return !job.written || (job.written[y / kBlock_px * kBlocksPerRow + x / kBlock_px] & kTouched) != 0;
+  };
+  for (int y = 0; y < job.height_px; y += kBlock_px) {
+    for (int x = 0; x < job.width_px; x += kStrip_px) {
+      const bool any = from && (touched(x, y) || touched(x + kBlock_px, y));
+      std::int32_t* at = to + std::size_t(y) * job.pitch_px + x;
+      if (job.width_px - x >= kStrip_px && job.height_px - y >= kBlock_px) {
+        if (!any) {
+          WriteStrip(nullptr, at, job.pitch_px, clear, false, stream);
+        } else {
+          WriteStrip(from + place_in_tile(x, y), at, job.pitch_px, clear, job.depths, stream);
+        }
+        continue;
+      }
+      for (int dy = 0; dy < std::min(kBlock_px, job.height_px - y); ++dy) {
+        for (int dx = 0; dx < std::min(kStrip_px, job.width_px - x); ++dx) {
+          std::int32_t v = any ? from[place_in_tile(x + dx, y + dy)] : std::int32_t(job.clear);
+          if (job.depths && v < 0) v = 0;  // of floats: negative, or the negative zero
+          at[std::size_t(dy) * job.pitch_px + std::size_t(dx)] = v;
+        }
+      }
     }
   }
 }
