@@ -77,6 +77,10 @@ struct RasterCounts {
   std::uint64_t blocks = 0, blocks_outside = 0, blocks_hidden = 0, fragments = 0, fragments_passed = 0;
 };
 
+/// Marks of a triangle: it has won a sample, though it may have lost it since; it owns one in the end; it has been
+/// looked at by itself, and its corners may be far apart.
+inline constexpr std::uint8_t kWon = 1, kOwns = 2, kWide = 4;
+
 /// What rasterizing a cluster needs.
 struct RasterJob {
   const std::uint8_t* corners = nullptr;  ///< [3·n]
@@ -88,6 +92,7 @@ struct RasterJob {
   int begin_x = 0, begin_y = 0, end_x = 0, end_y = 0;  ///< pixels of the tile that may be written
   int sample_x_fx8 = 128, sample_y_fx8 = 128;
   std::uint32_t first_owner = 0;  ///< triangle k owns its samples as first_owner + k
+  std::uint8_t* marks = nullptr;  ///< [n, all 0] triangle k's: kWon, kWide
   const void* context = nullptr;
   /// Which of two owners at equal depth has the lower key.
   bool (*key_before)(const void* context, std::uint32_t a, std::uint32_t b) = nullptr;
@@ -124,14 +129,6 @@ struct FlatJob {
   const std::int32_t* y_fx8 = nullptr;
 };
 
-/// A cluster's vertex as colour records are made from it.
-struct alignas(32) CornerRecord {
-  std::int32_t x_fx8, y_fx8;  ///< from the tile's corner
-  float inverse_w;
-  float unused;
-  float rgba[4];
-};
-
 /// A triangle's colours: (value + right·dx + down·dy) / (1 + d_right·dx + d_down·dy), pixels from a reference one.
 struct alignas(64) ColorRecord {
   float quads[4][4];  ///< d_right, d_down, reference pixel (bits: x + 256·y), error; value; right; down (rgba each)
@@ -143,13 +140,24 @@ struct alignas(64) ColorRecord {
 /// own value 6. The terms are at least the divisor, so that the last two are covered, too: 30 u < 2^-19.
 inline constexpr float kRecordError = 0x1p-19f;
 
-/// What colour records are made from.
+/// What colour records of a cluster are made from.
 struct RecordJob {
-  const std::uint8_t* corners = nullptr;               ///< of the cluster
-  const CornerRecord* vertices = nullptr;              ///< of the cluster
+  const std::uint8_t* corners = nullptr;         ///< [3 · 128] of the cluster
+  const WindowVertices128* vertices = nullptr;   ///< of the cluster
+  const std::uint32_t* mesh_vertices = nullptr;  ///< of the cluster
+  const float* colors = nullptr;                 ///< [4 · mesh vertices]
   std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};  ///< the draw's colour, of 1
   bool scaled = false;
   int sample_x_fx8 = 128, sample_y_fx8 = 128;
+  const std::uint8_t* marks = nullptr;  ///< [128]
+  std::uint8_t wanted = 0;              ///< which of them gives a triangle a record
+  std::uint32_t first_record = 0;
+  std::uint32_t* record_of = nullptr;  ///< [128] for those that get one
+  ColorRecord* records = nullptr;      ///< where the first one goes
+  std::int32_t* wide = nullptr;        ///< [128 + 16] those wanted that are kWide, and get none here
+};
+struct RecordCounts {
+  int made = 0, wide = 0;
 };
 
 /// A sample whose byte the records could not tell.
@@ -215,8 +223,8 @@ struct Kernels {
   bool (*rasterize_lone)(const RasterJob& job, const LoneTriangle& triangle, TileBuffers& tile, RasterCounts& counts);
   /// True if every sample of the blocks that the pixels (of the tile, not empty) touch is nearer than `nearest`.
   bool (*hidden)(TileBuffers& tile, const reference::PixelBox& pixels, float nearest);
-  /// Of n of the cluster's triangles, corners at most 64 px apart.
-  void (*make_records)(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records);
+  /// Of those of a cluster's triangles that are wanted.
+  RecordCounts (*make_records)(const RecordJob& job);
   /// Bytes of a 4×4 whose first pixel in the tile is given; each sample has its record. Returns the samples, a bit
   /// each, that must be shaded exactly instead.
   std::uint32_t (*shade_records)(const ColorRecord* records, const std::uint32_t* index, int x_px, int y_px,

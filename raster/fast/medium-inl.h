@@ -227,7 +227,9 @@ int RasterizeMedium(const RasterJob& job, const TriangleList& list, TileBuffers&
       t.begin_x = setups.begin_x[i], t.begin_y = setups.begin_y[i], t.end_x = setups.end_x[i],
       t.end_y = setups.end_y[i];
       if (t.begin_x >= t.end_x || t.begin_y >= t.end_y) continue;
-      passed += WalkBlocks(job, setups, i, t, tile, counts);
+      const int won = WalkBlocks(job, setups, i, t, tile, counts);
+      if (won > 0) job.marks[list.triangle[first + i]] = kWon;
+      passed += won;
     }
   }
   return passed;

@@ -64,7 +64,9 @@ bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
     LoneTriangle lone;
     if (!TakeOut(job, sifted.others[i], counts, lone)) continue;
     ++counts.large;
-    passed += RasterizeLarge(job, lone, tile, counts);
+    const int won = RasterizeLarge(job, lone, tile, counts);
+    if (won > 0) job.marks[sifted.others[i]] = kWon | kWide;
+    passed += won;
   }
   counts.fragments_passed += std::uint64_t(passed);
   return passed > 0;

@@ -1,63 +1,56 @@
 #include "raster/fast/records.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
+#include <iterator>
 
 #include "raster/blend.h"
 
 namespace lode::raster::fast {
-namespace {
 
-constexpr int kNarrow_fx8 = 64 * 256;  // corners of triangles whose records the kernels make
-
-bool is_narrow(const WindowVertices128& v, const std::uint8_t* corners) {
-  const auto [x0, x1] = std::minmax({v.x_fx8(corners[0]), v.x_fx8(corners[1]), v.x_fx8(corners[2])});
-  const auto [y0, y1] = std::minmax({v.y_fx8(corners[0]), v.y_fx8(corners[1]), v.y_fx8(corners[2])});
-  return x1 - x0 < kNarrow_fx8 && y1 - y0 < kNarrow_fx8;
-}
-
-}  // namespace
-
-void Records::make() {
+void Records::make(std::uint64_t n_won) {
   n_records_ = 0;
   recent_.fill({kNoOwner, kNoRecord});
-  for (const Resident& r : w_.residents) {
-    std::memset(&w_.visible[std::size_t(&r - w_.residents.data()) * kSlotTriangles], 0, kSlotTriangles);
-  }
-  // Without branches: whose the next sample is, is hard to guess. Pieces and nothing mark a place of no slot.
-  constexpr std::uint32_t kNowhere = kSlots * kSlotTriangles;
-  for (std::size_t block = 0; block < kBlocks; ++block) {
-    if ((w_.tile->written[block] & kTouched) == 0) continue;
-    for (std::size_t i = 64 * block; i < 64 * block + 64; ++i) {
-      const std::uint32_t owner = w_.tile->owner[i];
-      w_.visible[owner & kPieceBit ? kNowhere : owner] = 1;
-    }
-  }
+  const auto& written = w_.tile->written;
+  const auto n_touched = std::count_if(std::begin(written), std::end(written),
+                                       [](std::uint8_t flags) { return (flags & kTouched) != 0; });
+  // Where samples were won often over, finding out whose they are in the end costs less than records for nothing.
+  wanted_ = 4 * n_won > 5 * 64 * std::uint64_t(n_touched) ? kOwns : kWon;
+  if (wanted_ == kOwns) mark_owners();
   for (std::uint32_t slot = 0; slot < w_.residents.size(); ++slot) {
     if (slot + 1 < w_.residents.size()) prefetch_colors(slot + 1);
     make_those_of(slot);
   }
 }
 
+void Records::mark_owners() {
+  // Without branches: whose the next sample is, is hard to guess. Pieces and nothing mark a place of no slot.
+  constexpr std::uint32_t kNowhere = kSlots * kSlotTriangles;
+  for (std::size_t block = 0; block < kBlocks; ++block) {
+    if ((w_.tile->written[block] & kTouched) == 0) continue;
+    for (std::size_t i = 64 * block; i < 64 * block + 64; ++i) {
+      const std::uint32_t owner = w_.tile->owner[i];
+      w_.marks[owner & kPieceBit ? kNowhere : owner] |= kOwns;
+    }
+  }
+}
+
 /// Asks memory for the colours of the vertices of a slot that has anything visible.
 void Records::prefetch_colors(std::uint32_t slot) const {
-  std::array<std::uint64_t, kSlotTriangles / 8> visible;
-  std::memcpy(visible.data(), &w_.visible[std::size_t(slot) * kSlotTriangles], kSlotTriangles);
+  std::array<std::uint64_t, kSlotTriangles / 8> marks;
+  std::memcpy(marks.data(), &w_.marks[std::size_t(slot) * kSlotTriangles], kSlotTriangles);
   std::uint64_t any = 0;
-  for (const std::uint64_t eight : visible) any |= eight;
+  for (const std::uint64_t eight : marks) any |= eight;
   const Resident& r = w_.residents[slot];
   const FastDraw& fast = scene_.fast[r.fast_draw];
-  if (any == 0 || !fast.flat || fast.constant) return;
+  if ((any & 0x0101010101010101u * wanted_) == 0 || !fast.flat || fast.constant) return;
   const std::uint32_t* vertices = &fast.clusters->vertices[r.first_vertex];
   const std::size_t n = fast.clusters->clusters[r.cluster].n_vertices;
   for (std::size_t i = 0; i < n; ++i) __builtin_prefetch(fast.flat_job.colors + 4 * std::size_t(vertices[i]));
 }
 
 void Records::make_those_of(std::uint32_t slot) {
-  const std::uint8_t* visible = &w_.visible[std::size_t(slot) * kSlotTriangles];
-  std::array<std::uint8_t, kSlotTriangles> narrow, wide;
-  std::size_t n_narrow = 0, n_wide = 0;
+  const std::uint8_t* marks = &w_.marks[std::size_t(slot) * kSlotTriangles];
   const Resident& r = w_.residents[slot];
   const FastDraw& fast = scene_.fast[r.fast_draw];
   std::uint32_t* record_of = &w_.record_of[std::size_t(slot) * kSlotTriangles];
@@ -68,65 +61,30 @@ void Records::make_those_of(std::uint32_t slot) {
   if (fast.constant) {
     std::uint32_t record = kNoRecord;
     for (std::size_t t = 0; t < kSlotTriangles; ++t) {
-      if (!visible[t]) continue;
+      if ((marks[t] & wanted_) == 0) continue;
       if (record == kNoRecord) record = add_constant(fast.bytes);
       record_of[t] = record;
     }
     return;
   }
-  const WindowVertices128& v = w_.vertices[slot];
-  const std::uint8_t* corners = &fast.clusters->corners[3 * std::size_t(r.first_triangle)];
-  for (std::size_t first = 0; first < kSlotTriangles; first += 8) {
-    std::uint64_t eight;
-    std::memcpy(&eight, visible + first, 8);
-    for (; eight != 0; eight &= eight - 1) {
-      const std::size_t t = first + std::size_t(std::countr_zero(eight)) / 8;
-      if (is_narrow(v, corners + 3 * t)) {
-        record_of[t] = n_records_ + std::uint32_t(n_narrow);
-        narrow[n_narrow++] = std::uint8_t(t);
-      } else {
-        wide[n_wide++] = std::uint8_t(t);
-      }
-    }
-  }
-  if (n_narrow > 0) {
-    prepare_corners(v, corners, {narrow.data(), n_narrow}, fast.flat_job.colors,
-                    &fast.clusters->vertices[r.first_vertex]);
-    RecordJob job;
-    job.corners = corners;
-    job.vertices = w_.corners.get();
-    job.scale = fast.scale;
-    job.scaled = fast.flat_job.has_color;
-    job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
-    scene_.kernels->make_records(job, narrow.data(), int(n_narrow), &w_.records[n_records_]);
-    n_records_ += std::uint32_t(n_narrow);
-  }
-  for (std::size_t i = 0; i < n_wide; ++i) {
+  std::array<std::int32_t, kSlotTriangles + 16> wide;
+  RecordJob job;
+  job.corners = &fast.clusters->corners[3 * std::size_t(r.first_triangle)];
+  job.vertices = &w_.vertices[slot];
+  job.mesh_vertices = &fast.clusters->vertices[r.first_vertex];
+  job.colors = fast.flat_job.colors;
+  job.scale = fast.scale;
+  job.scaled = fast.flat_job.has_color;
+  job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
+  job.marks = marks, job.wanted = wanted_;
+  job.first_record = n_records_, job.record_of = record_of, job.records = &w_.records[n_records_];
+  job.wide = wide.data();
+  const RecordCounts n = scene_.kernels->make_records(job);
+  n_records_ += std::uint32_t(n.made);
+  for (std::size_t i = 0; i < std::size_t(n.wide); ++i) {
     Piece p;
-    owners_.make_piece(slot * kSlotTriangles + wide[i], p);
+    owners_.make_piece(slot * kSlotTriangles + std::uint32_t(wide[i]), p);
     record_of[wide[i]] = add_piece(p);
-  }
-}
-
-/// What records need of the vertices of some triangles.
-void Records::prepare_corners(const WindowVertices128& v, const std::uint8_t* corners,
-                              std::span<const std::uint8_t> triangles, const float* colors,
-                              const std::uint32_t* mesh_vertices) {
-  std::array<std::uint64_t, 2> wanted{};
-  for (const std::uint8_t t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint8_t corner = corners[3 * std::size_t(t) + k];
-      wanted[corner / 64] |= std::uint64_t(1) << (corner % 64);
-    }
-  }
-  for (std::size_t half = 0; half < 2; ++half) {
-    for (std::uint64_t bits = wanted[half]; bits != 0; bits &= bits - 1) {
-      const std::size_t i = 64 * half + std::size_t(std::countr_zero(bits));
-      CornerRecord& out = w_.corners[i];
-      std::memcpy(&out.x_fx8, &v.xy_fx8[i], 8);
-      out.inverse_w = float(1.0 / v.w[i]);
-      std::memcpy(out.rgba, colors + 4 * std::size_t(mesh_vertices[i]), 16);
-    }
   }
 }
 

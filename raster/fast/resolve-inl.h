@@ -33,17 +33,30 @@ HWY_INLINE F RoundedToByte(F v) {
   return hn::IfThenElse(hn::Ge(hn::Sub(clamped, whole), hn::Set(f, 0.5f)), hn::Add(whole, hn::Set(f, 1.0f)), whole);
 }
 
-/// The planes of sixteen triangles, from the corners' records: (x, y, 1/w, –, r, g, b, a).
-void MakeSomeRecords(const RecordJob& job, const float* const (&from)[3][16], float (&out)[4][64]) {
+/// The planes of as many triangles as there are lanes.
+void MakeSomeRecords(const RecordJob& job, const std::int32_t* triangles, float (&out)[4][64]) {
   const Ints di;
   const Floats f;
+  const Doubles d;
   I x[3], y[3];
   F inverse_w[3], colors[4][3];
   for (std::size_t k = 0; k < 3; ++k) {
+    alignas(64) std::uint64_t xy[16];
+    alignas(64) double w[16];
+    const float* from[16];
+    for (std::size_t i = 0; i < hn::Lanes(di); ++i) {
+      const std::size_t corner = job.corners[3 * std::size_t(triangles[i]) + k];
+      xy[i] = job.vertices->xy_fx8[corner];
+      w[i] = job.vertices->w[corner];
+      from[i] = job.colors + 4 * std::size_t(job.mesh_vertices[corner]);
+    }
+    hn::LoadInterleaved2(di, reinterpret_cast<const std::int32_t*>(xy), x[k], y[k]);
+    const auto inverse = [&](std::size_t lane) HWY_ATTR {
+      return hn::DemoteTo(HalfFloats(), hn::Div(hn::Set(d, 1.0), hn::Load(d, w + lane)));
+    };
+    inverse_w[k] = BothHalves(f, inverse(0), inverse(hn::Lanes(d)));
     F of_corner[4];
-    LoadTransposed(from[k], 0, of_corner);
-    x[k] = hn::BitCast(di, of_corner[0]), y[k] = hn::BitCast(di, of_corner[1]), inverse_w[k] = of_corner[2];
-    LoadTransposed(from[k], 4, of_corner);
+    LoadTransposed(from, 0, of_corner);
     for (std::size_t channel = 0; channel < 4; ++channel) colors[channel][k] = of_corner[channel];
   }
   const auto up = hn::Set(di, 255);
@@ -107,22 +120,37 @@ void MakeSomeRecords(const RecordJob& job, const float* const (&from)[3][16], fl
   hn::StoreInterleaved4(value_down[0], value_down[1], value_down[2], value_down[3], f, out[3]);
 }
 
-void MakeRecords(const RecordJob& job, const std::uint8_t* triangles, int n, ColorRecord* records) {
-  const int lanes = int(hn::Lanes(Floats()));
-  const float* from[3][16];
+RecordCounts MakeRecords(const RecordJob& job) {
+  const Ints di;
+  const hn::Rebind<std::uint8_t, Ints> bytes;
+  const int lanes = int(hn::Lanes(di));
+  alignas(64) std::int32_t list[kMaxClusterTriangles + 32];
+  RecordCounts n;
+  for (int first = 0; first < kMaxClusterTriangles; first += lanes) {
+    const auto marks = hn::BitCast(di, hn::PromoteTo(hn::RebindToUnsigned<Ints>(), hn::LoadU(bytes, job.marks + first)));
+    const auto has = [&](std::uint8_t mark) HWY_ATTR {
+      return hn::Ne(hn::And(marks, hn::Set(di, mark)), hn::Zero(di));
+    };
+    const auto wanted = has(job.wanted);
+    if (hn::AllFalse(di, wanted)) continue;
+    const auto triangle = hn::Add(hn::Set(di, first), hn::Iota(di, 0));
+    const auto wide = hn::And(wanted, has(kWide)), narrow = hn::AndNot(wide, wanted);
+    hn::StoreU(hn::Compress(triangle, narrow), di, list + n.made);
+    hn::StoreU(hn::Compress(triangle, wide), di, job.wide + n.wide);
+    n.made += int(hn::CountTrue(di, narrow));
+    n.wide += int(hn::CountTrue(di, wide));
+  }
+  if (n.made == 0) return n;
+  hn::StoreU(hn::Set(di, list[n.made - 1]), di, list + n.made);  // for the lanes behind the last
   alignas(64) float out[4][64];
-  for (int first = 0; first < n; first += lanes) {
-    for (int i = 0; i < lanes; ++i) {
-      const std::uint8_t* corners = job.corners + 3 * std::size_t(triangles[std::min(first + i, n - 1)]);
-      for (int k = 0; k < 3; ++k) {
-        from[k][i] = reinterpret_cast<const float*>(&job.vertices[corners[k]]);
-      }
-    }
-    MakeSomeRecords(job, from, out);
-    for (int i = 0; i < std::min(lanes, n - first); ++i) {
-      for (int q = 0; q < 4; ++q) std::memcpy(&records[first + i].quads[q], &out[q][4 * i], 16);
+  for (int first = 0; first < n.made; first += lanes) {
+    MakeSomeRecords(job, list + first, out);
+    for (int i = 0; i < std::min(lanes, n.made - first); ++i) {
+      job.record_of[list[first + i]] = job.first_record + std::uint32_t(first + i);
+      for (int q = 0; q < 4; ++q) std::memcpy(&job.records[first + i].quads[q], &out[q][4 * i], 16);
     }
   }
+  return n;
 }
 
 /// Planes as each lane has them: quads[i][k] of its record.

@@ -15,14 +15,15 @@ namespace {
 class Resolver {
  public:
   Resolver(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
-           bool fill)
+           bool fill, std::uint64_t n_won)
       : scene_(scene),
         w_(worker),
         owners_(scene, worker, box),
         records_(scene, worker, box, sample_fx8),
         box_(box),
         sample_fx8_(sample_fx8),
-        fill_(fill) {
+        fill_(fill),
+        n_won_(n_won) {
     size_ = box.end_px - box.begin_px;
     has_color_ = !image.rgba8.empty() || !image.rgba32f.empty();
     has_ids_ = !image.ids.empty();
@@ -50,7 +51,7 @@ class Resolver {
   }
 
   void resolve_by_records() {
-    records_.make();
+    records_.make(n_won_);
     ResolveJob job;
     job.tile = w_.tile.get();
     job.record_of = w_.record_of.get(), job.records = w_.records.get();
@@ -257,6 +258,7 @@ class Resolver {
   glm::ivec2 size_{0, 0};
   ColorFormat format_ = ColorFormat::rgba8;
   bool fill_;
+  std::uint64_t n_won_;
   bool has_color_ = false, has_ids_ = false, by_records_ = false;
   glm::u8vec4 clear8_{0};
   glm::vec4 clear32_{0.0f};
@@ -266,8 +268,8 @@ class Resolver {
 }  // namespace
 
 void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
-             bool fill) {
-  Resolver(scene, worker, image, box, sample_fx8, fill).run();
+             bool fill, std::uint64_t n_won) {
+  Resolver(scene, worker, image, box, sample_fx8, fill, n_won).run();
 }
 
 }  // namespace lode::raster::fast

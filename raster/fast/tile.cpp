@@ -38,7 +38,7 @@ class TileDrawer {
       clear();
       draw_pieces();
       draw_clusters();
-      resolve(scene_, w_, image_, box_, sample_fx8_, every_block_);
+      resolve(scene_, w_, image_, box_, sample_fx8_, every_block_, w_.counts.fragments_passed - won_before_);
       for (const std::uint32_t i : scene_.row(row_)) {
         if (touches(i) && !draw_of(i).order_free()) draw_in_order(i);
       }
@@ -96,6 +96,7 @@ class TileDrawer {
     }
     w_.residents.clear();
     w_.free_slots.clear();
+    won_before_ = w_.counts.fragments_passed;
   }
 
   // ---- Clusters, front to back ----
@@ -193,6 +194,8 @@ class TileDrawer {
     job.wanted = next.unclean >= 0 ? fast.unclean[std::size_t(next.unclean)].wanted.data() : nullptr;
     job.vertices = &vertices;
     job.first_owner = slot_ * kSlotTriangles;
+    job.marks = &w_.marks[job.first_owner];
+    std::memset(job.marks, 0, kSlotTriangles);
     if (!scene_.kernels->rasterize(job, *w_.tile, w_.counts)) w_.free_slots.push_back(slot_);
   }
 
@@ -409,6 +412,7 @@ class TileDrawer {
   bool has_color_ = false;
   bool every_block_ = false;  ///< of the tile's colours is made, not only those that were touched
   std::uint32_t slot_ = 0;
+  std::uint64_t won_before_ = 0;  ///< samples, before this tile
 };
 
 }  // namespace
@@ -416,9 +420,8 @@ class TileDrawer {
 void Worker::prepare(const Scene& scene, const Image& image) {
   if (!tile) {
     vertices = std::make_unique_for_overwrite<WindowVertices128[]>(kSlots);
-    visible = std::make_unique_for_overwrite<std::uint8_t[]>(kSlots * kSlotTriangles + 1);
+    marks = std::make_unique_for_overwrite<std::uint8_t[]>(kSlots * kSlotTriangles + 1);
     record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
-    corners = std::make_unique_for_overwrite<CornerRecord[]>(std::size_t(kMaxClusterVertices) + 8);
     records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);
     textured = std::make_unique<std::array<Textured, 16>>();
     residents.reserve(kSlots);

@@ -18,8 +18,8 @@ inline constexpr std::uint32_t kSlotTriangles = kMaxClusterTriangles;
 /// Slots: as many clusters as a tile has samples may own one each, and one is being drawn.
 inline constexpr std::size_t kSlots = kTilePixels + 1;
 
-/// Records of one tile: a visible triangle has at least a sample of its own.
-inline constexpr std::size_t kMostRecords = 2 * kTilePixels;
+/// Records of one tile: fewer than samples were won, as long as these are few (see Records::make), and some for pieces.
+inline constexpr std::size_t kMostRecords = 3 * kTilePixels;
 
 /// A part of a draw's tree that waits for its turn: the nearest first, then by draw and part.
 struct Waiting {
@@ -53,9 +53,8 @@ struct Worker {
   std::vector<Resident> residents;  ///< of the slots in use
   std::vector<std::uint32_t> free_slots;
   std::unique_ptr<WindowVertices128[]> vertices;       ///< [kSlots]
-  std::unique_ptr<std::uint8_t[]> visible;             ///< [kSlots · 128 + 1] 1: owns a sample
+  std::unique_ptr<std::uint8_t[]> marks;               ///< [kSlots · 128 + 1] kWon, kOwns, kWide
   std::unique_ptr<std::uint32_t[]> record_of;          ///< [kSlots · 128] of visible triangles of flat draws
-  std::unique_ptr<CornerRecord[]> corners;             ///< [128] of one cluster
   std::unique_ptr<ColorRecord[]> records;              ///< [kMostRecords]
   std::unique_ptr<std::array<Textured, 16>> textured;  ///< kept while their neighbours ask for them
   std::unique_ptr<Doubtful[]> doubtful;                ///< [kTilePixels]
@@ -102,9 +101,11 @@ class Owners {
   PixelBox box_;
 };
 
-/// Colours and ids of the tile's samples, from their owners. fill: also the bytes of blocks that nothing has touched.
+/// Colours and ids of the tile's samples, from their owners.
+///   fill    also the bytes of blocks that nothing has touched
+///   n_won   how often a sample of the tile was won by the kernels' triangles
 void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
-             bool fill);
+             bool fill, std::uint64_t n_won);
 
 /// Draws the pixels of the box, which lies in row `row` of tiles, and writes them to the image.
 void draw_tile(const Scene& scene, Worker& worker, Image& image, const PixelBox& box, std::size_t row);

@@ -64,6 +64,7 @@ HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffe
     tile.depth[place] = wins ? depth : old;
     tile.owner[place] = wins ? owner : old_owner;
     tile.written[place >> 6] = kStale | kTouched;
+    job.marks[owner - job.first_owner] |= wins ? kWon : 0;
     passed += wins ? 1 : 0;
   }
   return passed;
