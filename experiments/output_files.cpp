@@ -20,7 +20,7 @@ void check_ending(const char* option, const std::optional<std::string>& path, bo
                                        (png_too ? ".png, .exr or .npy" : ".exr or .npy"));
 }
 
-std::span<const std::uint32_t> as_numbers(const std::vector<raster::Ids>& ids) {
+std::span<const std::uint32_t> as_numbers(std::span<const raster::Ids> ids) {
   static_assert(sizeof(raster::Ids) == 2 * sizeof(std::uint32_t));
   return {reinterpret_cast<const std::uint32_t*>(ids.data()), 2 * ids.size()};
 }
