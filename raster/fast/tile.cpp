@@ -115,6 +115,7 @@ class TileDrawer {
       std::pop_heap(w_.heap.begin(), w_.heap.end());
       const Waiting next = w_.heap.back();
       w_.heap.pop_back();
+      if (!w_.heap.empty()) prefetch(w_.heap.front());
       const PixelBox pixels = {{next.begin_x, next.begin_y}, {next.end_x, next.end_y}};
       if (scene_.options->skips.occlusion && scene_.kernels->hidden(*w_.tile, pixels, next.nearest)) {
         ++w_.stats.boxes_hidden;
@@ -124,6 +125,19 @@ class TileDrawer {
         open(next);
       }
     }
+  }
+
+  /// Asks memory for a part of a tree that will be next, or soon.
+  void prefetch(const Waiting& next) const {
+    const auto ask = [](const auto* begin, std::size_t n) {
+      const auto* bytes = reinterpret_cast<const char*>(begin);
+      for (std::size_t i = 0; i < n * sizeof(*begin); i += 64) __builtin_prefetch(bytes + i);
+    };
+    const Clusters& all = *scene_.fast[next.fast_draw].clusters;
+    if (!(next.child & ClusterGroup::kIsCluster)) return ask(&all.groups[next.child], 1);
+    const Cluster& cluster = all.clusters[next.child & ~ClusterGroup::kIsCluster];
+    for (const auto* axis : {&all.x, &all.y, &all.z}) ask(axis->data() + cluster.first_vertex, cluster.n_vertices);
+    ask(all.corners.data() + 3 * std::size_t(cluster.first_triangle), 3 * std::size_t(cluster.n_triangles));
   }
 
   /// Puts a part of a tree where it waits for its turn, unless the tile has nothing of it. pixels: of the picture

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 #include "raster/fast/kernels.h"
 
@@ -52,23 +53,29 @@ HWY_INLINE I PlacesOf(I x, I y) {
   return hn::Or(hn::ShiftLeft<6>(block), hn::Or(quarter, hn::Or(hn::ShiftLeft<2>(bits(y, 3)), bits(x, 3))));
 }
 
-/// Keeps the nearest. Written without branches, as which one wins is hard to guess.
+/// Keeps the nearest. Written without branches, as which one wins is hard to guess: depths are compared as the whole
+/// numbers of their bits, whose order is the same from 0 on, with −1 below.
 HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffers& tile) {
-  int passed = 0;
+  std::uint32_t passed = 0;
   for (int i = 0; i < fragments.n; ++i) {
     const std::int32_t place = fragments.place[i];
-    const float old = tile.depth[place], depth = fragments.depth[i];
-    const std::uint32_t old_owner = tile.owner[place], owner = fragments.owner[i];
-    bool wins = depth > old;
-    if (HWY_UNLIKELY(depth == old)) wins = job.key_before(job.context, owner, old_owner);
-    tile.depth[place] = wins ? depth : old;
-    tile.owner[place] = wins ? owner : old_owner;
+    std::uint32_t& owner = tile.owner[place];
+    const std::uint32_t new_owner = fragments.owner[i];
+    std::int32_t old_depth, depth;
+    std::memcpy(&old_depth, &tile.depth[place], 4), std::memcpy(&depth, &fragments.depth[i], 4);
+    auto wins = std::uint32_t(depth > old_depth);
+    if (HWY_UNLIKELY(depth == old_depth)) wins = job.key_before(job.context, new_owner, owner) ? 1 : 0;
+    const std::uint32_t kept = wins - 1;  // all bits, or none
+    depth ^= (depth ^ old_depth) & std::int32_t(kept);
+    std::memcpy(&tile.depth[place], &depth, 4);
+    owner = new_owner ^ ((new_owner ^ owner) & kept);
     tile.written[place >> 6] = kStale | kTouched;
-    job.marks[owner - job.first_owner] |= wins ? kWon : 0;
-    passed += wins ? 1 : 0;
+    job.marks[new_owner - job.first_owner] |= std::uint8_t(wins);
+    passed += wins;
   }
-  return passed;
+  return int(passed);
 }
+static_assert(kWon == 1);
 
 int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& tile, RasterCounts& counts) {
   const Ints di;
@@ -99,7 +106,7 @@ int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& t
                h = hn::IfThenElseZero(exists, hn::Sub(box.end_y, box.begin_y));
     const int most_w = hn::GetLane(hn::MaxOfLanes(di, w)), most_h = hn::GetLane(hn::MaxOfLanes(di, h));
     for (int k = 0; k < 3; ++k) e.at[k] = hn::Sub(e.at[k], e.bias[k]);
-    fragments.n = 0;
+    int found_n = 0;  // in a register
     for (int dy = 0; dy < most_h; ++dy) {
       const auto row = hn::Gt(h, hn::Set(di, dy));
       I at[3] = {e.at[0], e.at[1], e.at[2]};
@@ -107,14 +114,15 @@ int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& t
         const auto inside = hn::And(hn::And(row, hn::Gt(w, hn::Set(di, dx))),
                                     hn::Gt(hn::Or(hn::Or(at[0], at[1]), at[2]), hn::Set(di, -1)));
         StoreTogether(hn::Add(hn::Iota(di, 0), hn::Set(di, (dy * kTinyWidth + dx) * 16)), inside,
-                      fragments.step_and_lane + fragments.n);
-        fragments.n += int(hn::CountTrue(di, inside));
+                      fragments.step_and_lane + found_n);
+        found_n += int(hn::CountTrue(di, inside));
         for (int k = 0; k < 3; ++k) at[k] = hn::Add(at[k], e.right[k]);
       }
       for (int k = 0; k < 3; ++k) e.at[k] = hn::Add(e.at[k], e.down[k]);
     }
-    if (fragments.n == 0) continue;
-    hn::StoreU(hn::Zero(di), di, fragments.step_and_lane + fragments.n);
+    if (found_n == 0) continue;
+    fragments.n = found_n;
+    hn::StoreU(hn::Zero(di), di, fragments.step_and_lane + found_n);
 
     // Their places, owners and depths.
     const auto owners = hn::Add(hn::Set(di, std::int32_t(job.first_owner)), hn::LoadU(di, list.triangle + first));
