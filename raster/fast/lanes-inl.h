@@ -42,6 +42,15 @@ HWY_INLINE hn::Vec<Wide> BothHalves(Wide wide, Half low, Half high) {
   return hn::Combine(wide, high, low);
 }
 
+/// right · x + down · y of the sixteen lanes of a 4×4, in pixels from its first.
+HWY_INLINE void StoreLanes(double right, double down, double* lanes) {
+  const Doubles d;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
+    const auto x = hn::Mul(hn::Set(d, right), hn::Load(d, kLaneXInDouble + l));
+    hn::Store(hn::Add(x, hn::Mul(hn::Set(d, down), hn::Load(d, kLaneYInDouble + l))), d, lanes + l);
+  }
+}
+
 /// A bit for each lane of the mask; at most 32 lanes.
 template <class Tag, class Mask>
 HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask) {

@@ -85,14 +85,14 @@ HWY_INLINE void PrepareWalk(const RasterJob& job, const LargeSetup& s, int bx0, 
     walk.base[k] = s.down[k] / 256.0 * (py - s.y[a]) + s.right[k] / 256.0 * (px - s.x[a]);
     walk.most[k] = 7.0 * (std::max(0.0, s.right[k]) + std::max(0.0, s.down[k]));
     walk.least[k] = 7.0 * (std::min(0.0, s.right[k]) + std::min(0.0, s.down[k]));
-    for (int l = 0; l < 16; ++l) walk.edge_lane[k][l] = s.right[k] * kLaneX[l] + s.down[k] * kLaneY[l];
+    StoreLanes(s.right[k], s.down[k], walk.edge_lane[k]);
     sum += walk.base[k] * s.z[k], right += s.right[k] * s.z[k], down += s.down[k] * s.z[k];
     terms += (std::fabs(walk.base[k]) + kTile_px * (std::fabs(s.right[k]) + std::fabs(s.down[k]))) * s.z[k];
   }
   walk.z = sum * inverse, walk.z_right = right * inverse, walk.z_down = down * inverse;
   walk.z_error = terms * inverse * kPlaneError;
   walk.z_gain = 7.0 * (std::max(0.0, walk.z_right) + std::max(0.0, walk.z_down)) + walk.z_error;
-  for (int l = 0; l < 16; ++l) walk.depth_lane[l] = walk.z_right * kLaneX[l] + walk.z_down * kLaneY[l];
+  StoreLanes(walk.z_right, walk.z_down, walk.depth_lane);
 }
 
 /// Half of the lanes of a 4×4, from lane `at`: which are covered, and how near they are.

@@ -155,11 +155,7 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
     }
   }
   const double z_x = setups.planes.x[s], z_y = setups.planes.y[s];
-  for (std::size_t l = 0; l < 16; l += hn::Lanes(d)) {
-    hn::Store(hn::Add(hn::Mul(hn::Set(d, z_x), hn::Load(d, kLaneXInDouble + l)),
-                      hn::Mul(hn::Set(d, z_y), hn::Load(d, kLaneYInDouble + l))),
-              d, lanes.depth + l);
-  }
+  StoreLanes(z_x, z_y, lanes.depth);
   int n_passed = 0;
   for (int wy = 0; wy < rows; wy += kWindow) {
     for (int wx = 0; wx < columns; wx += kWindow) {

@@ -254,6 +254,7 @@ HWY_INLINE std::uint32_t ResolveSome(const ResolveJob& job, std::size_t base, st
   std::uint32_t left = lanes;
   bool any = false;
   for (int i = 0; left != 0 && i < kFew; ++i) {
+    if (i == 3 && hwy::PopCount(left) > 6) break;  // many owners, it seems
     const std::int32_t owner = first_of(left);
     const auto its = hn::Eq(owners, hn::Set(di, owner));
     const std::uint32_t record = job.record_of[owner];
