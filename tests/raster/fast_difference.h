@@ -3,39 +3,13 @@
 /// still shows it, as text to be typed into a test.
 
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <string>
 
+#include "both_pipelines.h"
 #include "owned_frame.h"
 
 namespace lode::raster::test {
-
-/// The first pixel in which two pictures differ, both values; empty if they are the same.
-[[nodiscard]] inline std::string first_difference(const Image& fast, const Image& reference) {
-  const auto compare = [&](const char* plane, const auto& a, const auto& b, auto print) -> std::string {
-    if (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0) return "";
-    std::size_t n = 0, first = 0;
-    for (std::size_t i = a.size(); i-- > 0;) {
-      if (std::memcmp(&a[i], &b[i], sizeof a[i]) != 0) ++n, first = i;
-    }
-    const auto width = std::size_t(fast.size_px.x);
-    return std::string(plane) + ": " + std::to_string(n) + " pixels, first (" + std::to_string(first % width) + ", " +
-           std::to_string(first / width) + "): fast " + print(a[first]) + ", reference " + print(b[first]) + "\n";
-  };
-  const auto text = [](const char* format, auto... values) {
-    char line[256];
-    std::snprintf(line, sizeof line, format, values...);
-    return std::string(line);
-  };
-  const auto bytes = [&](const glm::u8vec4& c) { return text("(%d, %d, %d, %d)", c.r, c.g, c.b, c.a); };
-  const auto floats = [&](const glm::vec4& c) { return text("(%a, %a, %a, %a)", c.r, c.g, c.b, c.a); };
-  const auto ids = [&](const Ids& i) { return text("draw %d primitive %d", int(i.draw), int(i.primitive)); };
-  return compare("ids", fast.ids, reference.ids, ids) +
-         compare("depth", fast.depth, reference.depth, [&](float d) { return text("%a", d); }) +
-         compare("rgba8", fast.rgba8, reference.rgba8, bytes) +
-         compare("rgba32f", fast.rgba32f, reference.rgba32f, floats);
-}
 
 /// Renders both ways; empty if the bytes are the same.
 [[nodiscard]] inline std::string difference_of(const OwnedFrame& frame, const RenderOptions& fast_options) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Frames and images for tests, in one line.
 
-#include "raster/render.h"
+#include "both_pipelines.h"
 
 namespace lode::raster::test {
 

@@ -48,8 +48,9 @@ class Clock {
   SmallScene scene({kSize, kSize});
   scene.window(Topology::triangles, {{0, 0, 0.25}, {0, kSize, 0.25}, {kSize, 0, 0.25}}).color = glm::vec4(1, 2, 3, 4);
   scene.window(Topology::points, {{kSize - 0.5, kSize - 0.5, 0.5}});
+  scene.frame.draws = scene.draws;
   const Clock clock;
-  scene.render({.threads = 0});
+  render(scene.frame, scene.image, {.threads = 0});  // one pipeline, one image: its memory is measured
   const double seconds = clock.seconds();
   bool right = true;
   for (int y = 0; y < kSize; ++y) {  // the diagonal is a right edge: row y has kSize − 1 − y samples

@@ -57,7 +57,7 @@ struct Picture {
                                     ColorFormat format = ColorFormat::rgba32f) {
   const bool one_sample = frame.samples_fx8.size() == 1;
   Image image = make_image(size_px, format, {.color = true, .depth = one_sample, .ids = one_sample});
-  render(frame, image, options);
+  render_by_both(frame, image, options);
   return image;
 }
 

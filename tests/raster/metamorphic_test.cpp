@@ -20,7 +20,7 @@ TEST(Metamorphic, PicturesOfTheCasesAreNotEmpty) {
     HashedNumbers random(seed);
     const Picture picture = random_picture(random, 24);
     Image image = make_image(picture.size_px, ColorFormat::rgba32f);
-    const FrameStats stats = render(frame_of(picture.draws), image);
+    const FrameStats stats = render_by_both(frame_of(picture.draws), image);
     n_drawn += std::any_of(image.ids.begin(), image.ids.end(), [](const Ids& ids) { return ids.draw != kNoId; });
     n_cut += stats.primitives_clipped > 0;
   }

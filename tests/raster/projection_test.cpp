@@ -71,7 +71,7 @@ TEST(ProjectedMesh, ClosedAroundTheCameraLeavesNoBackgroundPixel) {
     const SignedCoverage coverage = signed_coverage(frame_of(draw), scene.size_px);
     EXPECT_EQ(std::count(coverage.sum.begin(), coverage.sum.end(), -1), std::ptrdiff_t(coverage.sum.size()));
     Image image = make_image(scene.size_px, ColorFormat::rgba8, {.color = false, .depth = true, .ids = true});
-    render(frame_of(draw), image);
+    render_by_both(frame_of(draw), image);
     EXPECT_EQ(std::count(image.ids.begin(), image.ids.end(), Ids{kNoId, kNoId}), 0);
   }
 }
@@ -87,7 +87,7 @@ TEST(ProjectedSheet, SeenFromOneSideIsCoveredOncePerSampleByRender) {
     draw.blend = Blend::add;
     draw.depth_test = false;
     Image image = make_image(scene.size_px, ColorFormat::rgba32f, {.color = true, .depth = false, .ids = false});
-    render(frame_of(draw), image, workers_and_tiles(0, 16));
+    render_by_both(frame_of(draw), image, workers_and_tiles(0, 16));
     for (std::size_t k = 0; k < image.rgba32f.size(); ++k) ASSERT_EQ(image.rgba32f[k].r, float(coverage.count[k]));
     if (coverage.n_front != 0 && coverage.n_back != 0) continue;  // the snap turned some: those count double
     n_compared += int(std::count(coverage.count.begin(), coverage.count.end(), 1));

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "raster/render.h"
+#include "both_pipelines.h"
 
 namespace lode::raster::test {
 
@@ -55,9 +55,10 @@ class SmallScene {
     return draw;
   }
 
+  /// By both pipelines: see both_pipelines.h.
   FrameStats render(const RenderOptions& options = {.threads = 1}) {
     frame.draws = draws;
-    return raster::render(frame, image, options);
+    return render_by_both(frame, image, options);
   }
 
   Frame frame;

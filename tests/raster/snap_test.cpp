@@ -212,7 +212,7 @@ Drawn draw_px(const Vertices& vertices, glm::ivec2 size_px = {16, 16}) {
   const Draw draw = triangles_of(vertices);
   Image image = make_image(size_px, ColorFormat::rgba8, {.color = false, .depth = true, .ids = true});
   Drawn drawn;
-  drawn.stats = render(frame_of(draw), image);
+  drawn.stats = render_by_both(frame_of(draw), image);
   for (const Ids& ids : image.ids) drawn.n_px += ids.draw != kNoId;
   return drawn;
 }

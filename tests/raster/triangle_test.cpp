@@ -29,7 +29,7 @@ std::string picture(glm::ivec2 size_px, const std::vector<CornersPx>& triangles,
   draw.blend = Blend::add;
   draw.depth_test = false;
   Image image = make_image(size_px, ColorFormat::rgba32f, {.color = true, .depth = false, .ids = false});
-  render(frame_of(draw), image, options);
+  render_by_both(frame_of(draw), image, options);
   std::string rows;
   for (std::size_t i = 0; i < image.rgba32f.size(); ++i) {
     const float n = image.rgba32f[i].r;
@@ -157,7 +157,7 @@ TEST(TriangleFillRule, ZeroAreaCoversNothingAndIsCounted) {
   }
   const Draw draw = triangles_of(WindowVertices{positions});
   Image image = make_image({5, 5}, ColorFormat::rgba8);
-  const FrameStats stats = render(frame_of(draw), image);
+  const FrameStats stats = render_by_both(frame_of(draw), image);
   EXPECT_EQ(stats.primitives_empty, 4u);
   EXPECT_EQ(stats.pieces, 0u);
 }
@@ -205,7 +205,7 @@ TEST(TriangleFacing, CullingKeepsATriangleOnlyIfBothTheUnsnappedAndTheSnappedSig
       draw.cull = cull;
       Image image = make_image({64, 64}, ColorFormat::rgba8, {.color = false, .depth = false, .ids = true});
       const FrameStats stats =
-          i < 40 ? render(frame_of(draw), image) : reference::assemble(frame_of(draw), {64, 64}, 1).stats;
+          i < 40 ? render_by_both(frame_of(draw), image) : reference::assemble(frame_of(draw), {64, 64}, 1).stats;
       const int wanted = cull == Cull::back ? 1 : -1;
       const bool kept = snapped_facing != 0 && (cull == Cull::none || (facing == wanted && snapped_facing == wanted));
       ASSERT_EQ(stats.pieces, kept ? 1u : 0u) << "case " << i;

@@ -254,9 +254,9 @@ TEST(AllocationFailure, OfAFrameInAKeptMemoryLeavesThatMemoryUsable) {
   for (long k = 0;; ++k) {
     FrameMemory memory;
     const RenderOptions options{.threads = 1, .memory = &memory};
-    const Outcome outcome = run_with_failure(k, false, [&] { scene.render(options); });
+    const Outcome outcome = run_with_failure(k, false, [&] { render(scene.frame, scene.image, options); });
     ASSERT_NE(outcome, Outcome::other) << "allocation " << k;
-    scene.render(options);
+    render(scene.frame, scene.image, options);
     ASSERT_TRUE(same_bytes(scene.image, right)) << "after allocation " << k;
     if (outcome == Outcome::done) break;
   }
