@@ -28,7 +28,7 @@ struct LineAllocator {
   friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 template <class T>
-using Plane = std::vector<T, LineAllocator<T>>;
+using PixelPlane = std::vector<T, LineAllocator<T>>;
 
 /// rgba8: 8-bit code values, blended as they are; colours on their way there are floats of 0…255.
 /// rgba32f: linear light, premultiplied by alpha; 1 is full.
@@ -49,10 +49,10 @@ inline constexpr int kMaxTargetSize_px = 32768;
 struct Image {
   glm::ivec2 size_px{0, 0};
   ColorFormat format = ColorFormat::rgba8;
-  Plane<glm::u8vec4> rgba8;  ///< used when format is rgba8
-  Plane<glm::vec4> rgba32f;  ///< used when format is rgba32f
-  Plane<float> depth;        ///< [0, 1], 1 near, 0 far or nothing
-  Plane<Ids> ids;
+  PixelPlane<glm::u8vec4> rgba8;  ///< used when format is rgba8
+  PixelPlane<glm::vec4> rgba32f;  ///< used when format is rgba32f
+  PixelPlane<float> depth;        ///< [0, 1], 1 near, 0 far or nothing
+  PixelPlane<Ids> ids;
 };
 
 /// Which planes `make_image` allocates.

@@ -22,7 +22,7 @@ ordered_json summary_of(std::vector<double> times_ms) {
 }
 
 template <class Element>
-void add_hash(ordered_json& hashes, const char* plane, const raster::Plane<Element>& elements) {
+void add_hash(ordered_json& hashes, const char* plane, const raster::PixelPlane<Element>& elements) {
   if (!elements.empty()) hashes[plane] = sha256_hex(std::as_bytes(std::span(elements)));
 }
 

@@ -122,7 +122,7 @@ TracedPicture trace(const Request& request, const SceneView& view, const techniq
 }
 
 template <class Element>
-void add_hash(nlohmann::ordered_json& hashes, const char* plane, const raster::Plane<Element>& elements) {
+void add_hash(nlohmann::ordered_json& hashes, const char* plane, const raster::PixelPlane<Element>& elements) {
   if (!elements.empty()) hashes[plane] = sha256_hex(std::as_bytes(std::span(elements)));
 }
 

@@ -36,7 +36,7 @@ constexpr Target kTarget = Target::scalar;
 
 extern const Kernels kKernels;
 const Kernels kKernels = {kTarget,   Look,        Transform,     Rasterize,      RasterizeLone,
-                          Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile,
+                          Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile, Clear,
                           ShadeFlat, StoreBytes,  ShadeTextured, DrawTextured};
 
 }  // namespace HWY_NAMESPACE

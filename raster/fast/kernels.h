@@ -193,6 +193,7 @@ struct WriteJob {
   const std::uint8_t* written = nullptr;  ///< [blocks] those not kTouched are the clear's; null: all are written
   std::uint32_t clear = 0;
   bool depths = false;  ///< what nothing owns becomes 0
+  bool stream = false;  ///< past the caches: for images that they would not hold
 };
 
 /// A textured triangle of an ordered draw that writes no depth, over a tile.
@@ -231,6 +232,7 @@ struct Kernels {
                                  std::uint32_t* bytes);
   void (*resolve_records)(const ResolveJob& job);
   void (*write_tile)(const WriteJob& job);
+  void (*clear)(std::uint32_t* to, std::size_t n, std::uint32_t value);
   /// Colours of sixteen samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).

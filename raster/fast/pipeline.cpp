@@ -1,9 +1,12 @@
 #include "raster/fast/pipeline.h"
 
 #include <algorithm>
+#include <cstring>
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "raster/blend.h"
 #include "raster/fast/scene.h"
 #include "raster/fast/tile.h"
 #include "raster/parallel.h"
@@ -39,6 +42,34 @@ void add_counts(const RasterCounts& c, FrameStats& stats) {
   stats.fragments_depth_failed += c.fragments - c.fragments_passed;
 }
 
+/// Whether no draw can touch the image.
+bool is_empty(const Scene& scene) {
+  return scene.assembly.pieces.empty() &&
+         std::all_of(scene.fast.begin(), scene.fast.begin() + std::ptrdiff_t(scene.n_fast),
+                     [](const FastDraw& f) { return f.pixels.empty(); });
+}
+
+/// The clear alone, in whole rows: the tiles' rows one behind the other are what memory likes best.
+void clear(const Scene& scene, Image& image, int n_workers, const std::function<void()>& on_tile) {
+  const auto columns = std::size_t(image.size_px.x);
+  const auto height_px = std::size_t(image.size_px.y), rows_px = std::size_t(kTile_px);
+  const std::size_t n_rows = (height_px + rows_px - 1) / rows_px;
+  const glm::u8vec4 clear8 = store_rgba8(scene.frame->clear);
+  const glm::vec4 clear32 = store_rgba32f(scene.frame->clear);
+  std::uint32_t bytes;
+  std::memcpy(&bytes, &clear8, 4);
+  parallel_for(n_rows, n_workers, [&](std::size_t row, int) {
+    const std::size_t first = row * rows_px * columns, n = std::min(rows_px, height_px - row * rows_px) * columns;
+    const auto words = [&](auto& plane, std::uint32_t value) {
+      if (!plane.empty()) scene.kernels->clear(reinterpret_cast<std::uint32_t*>(&plane[first]), n, value);
+    };
+    words(image.rgba8, bytes), words(image.depth, 0);
+    if (!image.rgba32f.empty()) std::fill_n(&image.rgba32f[first], n, clear32);
+    if (!image.ids.empty()) std::fill_n(&image.ids[first], n, Ids{kNoId, kNoId});
+    for (std::size_t x = 0; on_tile && x < columns; x += rows_px) on_tile();
+  });
+}
+
 }  // namespace
 
 FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& options) {
@@ -59,6 +90,10 @@ FrameStats render_fast(const Frame& frame, Image& image, const RenderOptions& op
   while (workers.size() < n_workers) workers.push_back(std::make_unique<Worker>());
   for (std::size_t w = 0; w < n_workers; ++w) workers[w]->prepare(scene, image);
 
+  if (is_empty(scene)) {
+    clear(scene, image, int(n_workers), options.on_tile);
+    return scene.stats;
+  }
   parallel_for(n_tiles, int(n_workers), [&](std::size_t t, int worker) {
     const glm::ivec2 begin = {int(t % n_columns) * kTile_px, int(t / n_columns) * kTile_px};
     const PixelBox box = {begin, {std::min(begin.x + kTile_px, size.x), std::min(begin.y + kTile_px, size.y)}};

@@ -383,7 +383,12 @@ class TileDrawer {
     return std::size_t(box_.begin_px.y) * std::size_t(image_.size_px.x) + std::size_t(box_.begin_px.x);
   }
   [[nodiscard]] WriteJob write_job() const {
-    return {.pitch_px = std::size_t(image_.size_px.x), .width_px = size_.x, .height_px = size_.y};
+    constexpr std::size_t kMostCached_px = std::size_t(1) << 20;  // 8 MiB of bytes and depths
+    const std::size_t n_px = std::size_t(image_.size_px.x) * std::size_t(image_.size_px.y);
+    return {.pitch_px = std::size_t(image_.size_px.x),
+            .width_px = size_.x,
+            .height_px = size_.y,
+            .stream = n_px > kMostCached_px};
   }
   /// Bytes and depths; null: the clear's.
   void write_planes(WriteJob& job, const void* rgba8, const void* depth) {

@@ -63,7 +63,7 @@ void WriteTile(const WriteJob& job) {
   const auto* from = static_cast<const std::int32_t*>(job.from);
   auto* to = static_cast<std::int32_t*>(job.to);
   const auto clear = hn::Set(di, std::int32_t(job.clear));
-  const bool stream = (reinterpret_cast<std::uintptr_t>(to) | job.pitch_px * 4) % 64 == 0;
+  const bool stream = job.stream && (reinterpret_cast<std::uintptr_t>(to) | job.pitch_px * 4) % 64 == 0;
   const auto touched = [&](int x, int y) {
     return !job.written || (job.written[y / kBlock_px * kBlocksPerRow + x / kBlock_px] & kTouched) != 0;
   };
@@ -88,6 +88,16 @@ void WriteTile(const WriteJob& job) {
       }
     }
   }
+  if (stream) hwy::FlushStream();  // before anybody is told that the tile is done
+}
+
+/// n pixels of one value, one behind the other.
+void Clear(std::uint32_t* to, std::size_t n, std::uint32_t value) {
+  const Ints di;
+  const auto v = hn::Set(di, std::int32_t(value));
+  std::size_t i = 0;
+  for (; i + hn::Lanes(di) <= n; i += hn::Lanes(di)) hn::StoreU(v, di, reinterpret_cast<std::int32_t*>(to) + i);
+  for (; i < n; ++i) to[i] = value;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -52,7 +52,7 @@ void expect_bad_input(const Arguments& arguments, const std::string& message) {
 }
 
 template <class Element>
-std::string bytes_of(const std::vector<Element>& plane) {
+std::string bytes_of(const raster::PixelPlane<Element>& plane) {
   return {reinterpret_cast<const char*>(plane.data()), plane.size() * sizeof(Element)};
 }
 

@@ -246,7 +246,7 @@ Image patterned_image(const Scene& scene) {
 }
 
 template <class T>
-bool same_bytes(const Plane<T>& a, const Plane<T>& b) {
+bool same_bytes(const PixelPlane<T>& a, const PixelPlane<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 bool same_bytes(const Image& a, const Image& b) {

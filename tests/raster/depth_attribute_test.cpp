@@ -82,7 +82,7 @@ TEST(Depth, OfALineHalfWayBetweenTwoFloatsGoesToTheEvenOne) {
     SmallScene scene({2, 1});
     scene.window(Topology::lines, {{a, 0.5, z_at(a)}, {b, 0.5, z_at(b)}});
     scene.render();
-    ASSERT_EQ(scene.image.depth, (Plane<float>{kZ0, kZ0 + 0x1p-23f})) << "line " << k;
+    ASSERT_EQ(scene.image.depth, (PixelPlane<float>{kZ0, kZ0 + 0x1p-23f})) << "line " << k;
   }
 }
 

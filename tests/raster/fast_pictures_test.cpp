@@ -1,4 +1,7 @@
 // The pictures of the determinism product, and one frame with everything, byte for byte by both pipelines.
+#include <algorithm>
+#include <atomic>
+
 #include "everything.h"
 #include "fast_equality.h"
 #include "tests/determinism/pictures.h"
@@ -38,6 +41,39 @@ TEST(FastPictures, OfTheFrameWithEverythingAreTheReferences) {
       options.threads = 2, options.target = target;
       EXPECT_EQ(difference_of(scene.frame, scene.image, options), "") << name_of(target);
     }
+  }
+}
+
+// More than a million pixels, whole lines of the cache a row: written past the caches.
+TEST(FastPictures, OfAnImageThatIsStreamedAreTheReferences) {
+  SmallScene scene({1216, 903});
+  add_everything(scene);
+  scene.frame.draws = scene.draws;
+  for (const Target target : kTargets) {
+    if (!can_run(target)) continue;
+    RenderOptions options;
+    options.threads = 2, options.target = target;
+    EXPECT_EQ(difference_of(scene.frame, scene.image, options), "") << name_of(target);
+  }
+}
+
+TEST(FastPictures, OfNothingInViewAreTheClearOfEveryPlane) {
+  const std::vector<glm::vec3> beside = {{3, 0, 0.5f}, {4, 0, 0.5f}, {3, 1, 0.5f}};
+  const Clusters clusters = make_clusters(beside, std::nullopt);
+  for (const ColorFormat format : {ColorFormat::rgba8, ColorFormat::rgba32f}) {
+    SmallScene scene({301, 203}, format);
+    Draw draw;
+    draw.vertices = ObjectVertices{beside, glm::dmat4(1.0)};
+    draw.clusters = &clusters;
+    scene.frame.draws = {&draw, 1};
+    scene.frame.clear = {0.25f, 0.5f, 0.75f, 1.0f};
+    if (format == ColorFormat::rgba8) scene.frame.clear *= 255.0f;
+    std::ranges::fill(scene.image.depth, 0.5f);  // of an earlier frame
+    std::atomic<int> n_tiles = 0;
+    RenderOptions options;
+    options.threads = 2, options.on_tile = [&] { ++n_tiles; };
+    EXPECT_EQ(difference_of(scene.frame, scene.image, options), "");
+    EXPECT_EQ(n_tiles, 3 * 2);
   }
 }
 

@@ -113,7 +113,7 @@ TEST(CoincidentLayersStress, GoToTheLowestKey) {
   std::printf("[ MEASURED ] %zu layers of 64 x 64: %.1f s\n", kLayers, clock.seconds());
   EXPECT_EQ(stats.fragments_covered, 64 * 64 * kLayers);
   EXPECT_EQ(stats.fragments_shaded, 64u * 64u);
-  EXPECT_EQ(scene.image.ids, Plane<Ids>(64 * 64, Ids{0, 0}));
+  EXPECT_EQ(scene.image.ids, PixelPlane<Ids>(64 * 64, Ids{0, 0}));
 }
 
 TEST(CoincidentLayersStress, AreAllBlended) {
@@ -125,7 +125,7 @@ TEST(CoincidentLayersStress, AreAllBlended) {
   scene.render({.threads = 0, .tile_size_px = 8});
   std::printf("[ MEASURED ] %zu blended layers of 16 x 16: %.1f s\n", kLayers, clock.seconds());
   const float n = float(kLayers);
-  EXPECT_EQ(scene.image.rgba32f, Plane<glm::vec4>(256, glm::vec4(n * 0x1p-17f, n, 3 * n, 0)));
+  EXPECT_EQ(scene.image.rgba32f, PixelPlane<glm::vec4>(256, glm::vec4(n * 0x1p-17f, n, 3 * n, 0)));
 }
 
 TEST(HostileFramesStress, GiveSoundPicturesThatDoNotDependOnThreadsOrTiles) {

@@ -229,7 +229,7 @@ TEST(CoincidentLayers, GoToTheLowestKey) {
   const FrameStats stats = scene.render();
   EXPECT_EQ(stats.fragments_covered, 64 * kLayers);
   EXPECT_EQ(stats.fragments_shaded, 64u);
-  EXPECT_EQ(scene.image.ids, Plane<Ids>(64, Ids{0, 0}));
+  EXPECT_EQ(scene.image.ids, PixelPlane<Ids>(64, Ids{0, 0}));
 }
 
 TEST(CoincidentLayers, AreAllBlended) {
@@ -239,7 +239,7 @@ TEST(CoincidentLayers, AreAllBlended) {
   draw.color = glm::vec4(0x1p-17f, 1.0f, 3.0f, 0.0f);  // sums of whole multiples below 2^24 are exact
   scene.render();
   const float n = float(kLayers);
-  EXPECT_EQ(scene.image.rgba32f, Plane<glm::vec4>(8, glm::vec4(n * 0x1p-17f, n, 3 * n, 0)));
+  EXPECT_EQ(scene.image.rgba32f, PixelPlane<glm::vec4>(8, glm::vec4(n * 0x1p-17f, n, 3 * n, 0)));
 }
 
 // ---- Nothing to draw, odd targets ---------------------------------------------------------------------------------
@@ -248,7 +248,7 @@ TEST(NoPrimitives, LeaveTheClear) {
   SmallScene nothing({3, 3});
   nothing.frame.clear = kRed;
   nothing.render();
-  EXPECT_EQ(nothing.image.rgba8, Plane<glm::u8vec4>(9, glm::u8vec4(kRed)));
+  EXPECT_EQ(nothing.image.rgba8, PixelPlane<glm::u8vec4>(9, glm::u8vec4(kRed)));
   for (const Topology topology : kTopologies) {
     SmallScene scene({3, 3});
     scene.object(topology, {});
@@ -302,7 +302,7 @@ TEST(Textures, OfAnySizeWithOrWithoutMipsStayConstantIfTheyAre) {
         draw.texture = &texture;
         draw.sampler.filter = filter;
         scene.render();
-        EXPECT_EQ(scene.image.rgba8, Plane<glm::u8vec4>(64, glm::u8vec4(10, 20, 30, 255)));
+        EXPECT_EQ(scene.image.rgba8, PixelPlane<glm::u8vec4>(64, glm::u8vec4(10, 20, 30, 255)));
       }
     }
   }
@@ -318,7 +318,7 @@ TEST(Textures, AreReadAtZeroWhereTheirCoordinateIsNotFinite) {
     draw.texture = &texture;
     draw.sampler.filter = Filter::nearest;
     scene.render();
-    EXPECT_EQ(scene.image.rgba8, Plane<glm::u8vec4>(16, glm::u8vec4(10, 20, 30, 255))) << u;
+    EXPECT_EQ(scene.image.rgba8, PixelPlane<glm::u8vec4>(16, glm::u8vec4(10, 20, 30, 255))) << u;
   }
 }
 

@@ -149,7 +149,7 @@ TEST(Quads, BlendEverySampleExactlyOnceAlongTheirDiagonals) {
     draw.color = glm::vec4(1, 0, 0, 0);
     draw.blend = Blend::add;
     EXPECT_EQ(scene.render().fragments_blended, 64u);
-    EXPECT_EQ(scene.image.rgba8, Plane<glm::u8vec4>(64, glm::u8vec4(1, 0, 0, 0)));
+    EXPECT_EQ(scene.image.rgba8, PixelPlane<glm::u8vec4>(64, glm::u8vec4(1, 0, 0, 0)));
   }
 }
 

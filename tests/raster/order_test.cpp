@@ -277,7 +277,7 @@ TEST(AlphaTest, IsPartOfCoverageSoLosersLeaveNoDepth) {
     cut.depth_write = true;
     scene.render();
     EXPECT_EQ(ids_picture(scene.image), "AABB\n");
-    EXPECT_EQ(scene.image.depth, (Plane<float>{0.25f, 0.25f, 0.75f, 0.75f}));
+    EXPECT_EQ(scene.image.depth, (PixelPlane<float>{0.25f, 0.25f, 0.75f, 0.75f}));
     EXPECT_EQ(scene.image.rgba8[1], glm::u8vec4(kBlue));
   }
 }
@@ -308,7 +308,7 @@ TEST(Ids, AreTheDrawsOwnUnlessTheyAreOverridden) {
   both.draw_id = 77;
   both.primitive_id = kPlate;
   scene.render();
-  EXPECT_EQ(scene.image.ids, (Plane<Ids>{{0, 0}, {1, kPlate}, {77, kPlate}}));
+  EXPECT_EQ(scene.image.ids, (PixelPlane<Ids>{{0, 0}, {1, kPlate}, {77, kPlate}}));
 }
 
 TEST(Ids, CountPrimitivesAsTheDrawHasThemEvenIfSomeAreNotDrawn) {

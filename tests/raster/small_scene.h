@@ -89,7 +89,7 @@ inline std::string ids_picture(const Image& image) {
 }
 
 template <class T>
-bool same_bytes(const Plane<T>& a, const Plane<T>& b) {
+bool same_bytes(const PixelPlane<T>& a, const PixelPlane<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 

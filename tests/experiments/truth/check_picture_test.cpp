@@ -3,6 +3,7 @@
 
 #include "experiments/truth/check_picture.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -123,7 +124,7 @@ TEST(CheckPicture, APictureMovedByAHundredthOfAPixelIsUnexplained) {
 /// At each calm pixel the ends of the interval pass, and the floats beyond them do not.
 TEST(CheckPicture, ADepthOnePlaceBeyondTheIntervalIsUnexplained) {
   SmallView view(ball_in_box(), kCamera, {64, 64});
-  const std::vector<float> right = view.image.depth;
+  const auto right = view.image.depth;
   const TriangleTable table(view.solid.draws, view.size_px);
   for (const bool beyond : {false, true}) {
     std::uint64_t n_changed = 0;
@@ -185,7 +186,7 @@ TEST(CheckPicture, CoincidentTrianglesTie) {
   geometry::add_instance(scene, square);
   SmallView view(std::move(scene), camera_at({0.3, 3.0, 0.4}, {0.0, 0.0, 0.0}, 0.1), {64, 64});
   std::uint64_t n_second = 0;
-  view.ray_ids = view.image.ids;  // whichever they saw
+  view.ray_ids.assign(view.image.ids.begin(), view.image.ids.end());  // whichever they saw
   for (const std::size_t i : calm_pixels(view)) {
     if (view.image.ids[i] == kNothing) continue;
     EXPECT_EQ(view.image.ids[i].draw, 0u);
@@ -198,7 +199,7 @@ TEST(CheckPicture, CoincidentTrianglesTie) {
   EXPECT_GE(check.of(Verdict::depth_tie), n_second);
 
   // The other way round it is not: at equal depth the lower ids win.
-  std::swap(view.image.ids, view.ray_ids);
+  std::swap_ranges(view.image.ids.begin(), view.image.ids.end(), view.ray_ids.begin());
   EXPECT_GE(view.check().of(Verdict::unexplained), n_second);
 }
 
