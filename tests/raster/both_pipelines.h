@@ -53,9 +53,12 @@ namespace lode::raster::test {
 }
 
 /// Returns the fast pipeline's counters. If the options ask for the reference, or for statistics by draw, which the
-/// reference counts whatever they ask for, it draws alone.
+/// reference counts whatever they ask for, it draws alone. One memory for all frames of a thread: with one for each, a
+/// sanitizer takes ten times as long to hand out the memory as the test to draw.
 inline FrameStats render_by_both(const Frame& frame, Image& image, RenderOptions options = {.threads = 1}) {
   if (options.pipeline == Pipeline::reference || !options.per_draw.empty()) return render(frame, image, options);
+  thread_local FrameMemory memory;
+  if (!options.memory) options.memory = &memory;
   Image fast = image;
   const FrameStats fast_stats = render(frame, fast, options);
   options.pipeline = Pipeline::reference;
