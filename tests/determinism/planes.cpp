@@ -11,7 +11,7 @@ namespace {
 using raster::Image;
 
 template <class T>
-Plane plane_of(const char* name, const Image& image, const std::vector<T>& pixels) {
+Plane plane_of(const char* name, const Image& image, const raster::PixelPlane<T>& pixels) {
   Plane plane{name, sizeof(T), image.size_px.x, std::vector<unsigned char>(pixels.size() * sizeof(T))};
   if (!pixels.empty()) std::memcpy(plane.bytes.data(), pixels.data(), plane.bytes.size());
   return plane;
@@ -35,7 +35,7 @@ std::vector<Plane> planes_of(const Image& image) {
     planes.push_back(plane_of("color", image, image.rgba8));
   } else {
     planes.push_back(plane_of("color", image, image.rgba32f));
-    std::vector<glm::u8vec4> encoded;
+    raster::PixelPlane<glm::u8vec4> encoded;
     for (const glm::vec4& c : image.rgba32f) encoded.push_back(raster::srgb8_from_linear(c));
     planes.push_back(plane_of("srgb", image, encoded));
   }
