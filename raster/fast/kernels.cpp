@@ -11,6 +11,7 @@
 #include "raster/fast/flat-inl.h"
 #include "raster/fast/ordered-inl.h"
 #include "raster/fast/rasterize-inl.h"
+#include "raster/fast/records-inl.h"
 #include "raster/fast/resolve-inl.h"
 #include "raster/fast/tint-inl.h"
 #include "raster/fast/vertices-inl.h"

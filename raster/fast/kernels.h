@@ -65,10 +65,8 @@ inline constexpr std::uint8_t kStale = 1, kTouched = 2;
 struct TileBuffers {
   alignas(64) float depth[kTilePixels];
   alignas(64) std::uint32_t owner[kTilePixels];
-  alignas(
-      64) float block_min[kBlocks];  ///< no depth of a block is less; the least one unless stale
-  alignas(
-      64) std::uint8_t written[kBlocks];  ///< kStale: since block_min was found; kTouched: at all
+  alignas(64) float block_min[kBlocks];       ///< no depth of a block is less; the least one unless stale
+  alignas(64) std::uint8_t written[kBlocks];  ///< kStale: since block_min was found; kTouched: at all
 };
 
 /// What the kernels of one tile did and did not do.
@@ -187,7 +185,7 @@ inline constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
 /// A tile's planes of 32-bit values to the image's rows.
 struct WriteJob {
   const void* from = nullptr;  ///< null: all is the clear's
-  void* to = nullptr;  ///< the tile's first pixel
+  void* to = nullptr;          ///< the tile's first pixel
   std::size_t pitch_px = 0;
   int width_px = 0, height_px = 0;
   const std::uint8_t* written = nullptr;  ///< [blocks] those not kTouched are the clear's; null: all are written
@@ -232,6 +230,7 @@ struct Kernels {
                                  std::uint32_t* bytes);
   void (*resolve_records)(const ResolveJob& job);
   void (*write_tile)(const WriteJob& job);
+  /// n pixels of one value, one behind the other.
   void (*clear)(std::uint32_t* to, std::size_t n, std::uint32_t value);
   /// Colours of sixteen samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
   void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);

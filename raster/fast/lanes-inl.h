@@ -25,6 +25,7 @@ using Doubles = hn::CappedTag<double, 8>;
 using HalfInts = hn::Rebind<std::int32_t, Doubles>;  ///< as many lanes as Doubles
 using HalfFloats = hn::Rebind<float, Doubles>;
 using I = hn::Vec<Ints>;
+using F = hn::Vec<Floats>;
 
 // Where the sixteen lanes of a 4×4 are.
 alignas(64) constexpr std::int32_t kLaneX_fx8[16] = {0, 256, 512, 768, 0, 256, 512, 768,
@@ -59,6 +60,15 @@ HWY_INLINE std::uint32_t BitsOf(Tag tag, Mask mask) {
   std::uint32_t out;
   std::memcpy(&out, bits, 4);
   return out;
+}
+
+/// n pixels of one value, one behind the other.
+HWY_INLINE void Fill(std::uint32_t* to, std::size_t n, std::uint32_t value) {
+  const Ints di;
+  const auto v = hn::Set(di, std::int32_t(value));
+  std::size_t i = 0;
+  for (; i + hn::Lanes(di) <= n; i += hn::Lanes(di)) hn::StoreU(v, di, reinterpret_cast<std::int32_t*>(to) + i);
+  for (; i < n; ++i) to[i] = value;
 }
 
 /// Four floats each, `offset` behind as many places as there are groups of four lanes: first[0], first[4], …

@@ -89,7 +89,6 @@ HWY_INLINE int DrawMediumBlock(const RasterJob& job, const MediumTriangle& t, co
   const Ints di;
   const Floats f;
   const Doubles d;
-  const hn::RebindToUnsigned<Floats> u;
   const int place = place_in_tile(x_px, y_px);
   const auto z_block = hn::Set(d, z);
   int passed = 0;
@@ -116,13 +115,9 @@ HWY_INLINE int DrawMediumBlock(const RasterJob& job, const MediumTriangle& t, co
     const auto covered = hn::RebindMask(f, inside);
     const auto doubt = hn::And(covered, hn::Ne(depth, BothHalves(f, first.high, second.high)));
     if (HWY_UNLIKELY(!hn::AllFalse(f, doubt))) {
-      alignas(64) std::uint32_t flags[16];
       alignas(64) float depths[16];
-      hn::Store(hn::VecFromMask(u, hn::RebindMask(u, doubt)), u, flags);
       hn::Store(depth, f, depths);
-      std::uint32_t doubtful = 0;
-      for (std::size_t i = 0; i < hn::Lanes(di); ++i) doubtful |= (flags[i] & 1) << i;
-      FixDepths(job, t, x_px, y_px, l, doubtful, depths);
+      FixDepths(job, t, x_px, y_px, l, BitsOf(f, doubt), depths);
       depth = hn::Load(f, depths);
     }
     passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);

@@ -35,7 +35,7 @@ HWY_INLINE void SetEdgeWalk(const TexturedTriangle& t, EdgeWalk& w) {
     w.step_y[i] = 256.0 * t.edge_y[i];
     w.least[i] = 7.0 * (std::min(0.0, w.step_x[i]) + std::min(0.0, w.step_y[i]));
     w.most[i] = 7.0 * (std::max(0.0, w.step_x[i]) + std::max(0.0, w.step_y[i]));
-    for (std::size_t k = 0; k < 16; ++k) w.lane[i][k] = w.step_x[i] * kLaneX[k] + w.step_y[i] * kLaneY[k];
+    StoreLanes(w.step_x[i], w.step_y[i], w.lane[i]);
   }
 }
 
@@ -47,9 +47,7 @@ HWY_INLINE std::uint32_t CoveredLanes(const TexturedTriangle& t, const EdgeWalk&
     const auto inside = [&](std::size_t i) HWY_ATTR {
       return hn::Ge(hn::Add(hn::Set(d, e[i]), hn::Load(d, w.lane[i] + l)), hn::Set(d, t.bias[i]));
     };
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::And(hn::And(inside(0), inside(1)), inside(2)), bits);
-    lanes |= std::uint32_t(bits[0]) << l;
+    lanes |= BitsOf(d, hn::And(hn::And(inside(0), inside(1)), inside(2))) << l;
   }
   return lanes;
 }
@@ -84,9 +82,7 @@ HWY_INLINE std::uint32_t NearerLanes(const TexturedTriangle& t, const EdgeWalk& 
                                    hn::Mul(edge(2), hn::Set(d, t.z[2]))),
                            hn::Set(d, t.area));  // C5
     const auto inside = hn::DemoteTo(hf, hn::Min(hn::Max(z, hn::Set(d, t.z_low)), hn::Set(d, t.z_high)));
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(hf, hn::Gt(inside, hn::Load(hf, depth + l)), bits);
-    nearer |= std::uint32_t(bits[0]) << l;
+    nearer |= BitsOf(hf, hn::Gt(inside, hn::Load(hf, depth + l))) << l;
   }
   return lanes & nearer;
 }

@@ -26,10 +26,7 @@ namespace HWY_NAMESPACE {
 
 /// One bit for each lane of Ints that is not 0.
 HWY_INLINE std::uint32_t BitsOf(I lanes) {
-  const Ints di;
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(di, hn::Ne(lanes, hn::Zero(di)), bytes);
-  return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+  return BitsOf(Ints(), hn::Ne(lanes, hn::Zero(Ints())));
 }
 
 /// One bit of `lanes` for each lane of Ints.

@@ -103,7 +103,7 @@ class Owners {
 
 /// Colours and ids of the tile's samples, from their owners.
 ///   fill    also the bytes of blocks that nothing has touched
-///   n_won   how often a sample of the tile was won by the kernels' triangles
+///   n_won   how often a sample of the tile was won by a triangle of the kernels
 void resolve(const Scene& scene, Worker& worker, const Image& image, const PixelBox& box, glm::ivec2 sample_fx8,
              bool fill, std::uint64_t n_won);
 

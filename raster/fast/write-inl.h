@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <hwy/cache_control.h>
 
 #include "raster/fast/kernels.h"
 
@@ -13,6 +12,8 @@
 #else
 #define LODE_RASTER_FAST_WRITE_INL_H_
 #endif
+
+#include <hwy/cache_control.h>
 
 #include "raster/fast/lanes-inl.h"
 
@@ -91,14 +92,7 @@ void WriteTile(const WriteJob& job) {
   if (stream) hwy::FlushStream();  // before anybody is told that the tile is done
 }
 
-/// n pixels of one value, one behind the other.
-void Clear(std::uint32_t* to, std::size_t n, std::uint32_t value) {
-  const Ints di;
-  const auto v = hn::Set(di, std::int32_t(value));
-  std::size_t i = 0;
-  for (; i + hn::Lanes(di) <= n; i += hn::Lanes(di)) hn::StoreU(v, di, reinterpret_cast<std::int32_t*>(to) + i);
-  for (; i < n; ++i) to[i] = value;
-}
+void Clear(std::uint32_t* to, std::size_t n, std::uint32_t value) { Fill(to, n, value); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

@@ -18,6 +18,18 @@ std::string difference_of(const Frame& frame, Image fast, const RenderOptions& f
   return first_difference(fast, reference);
 }
 
+void expect_everything_is_the_references(glm::ivec2 size_px, ColorFormat format) {
+  SmallScene scene(size_px, format);
+  add_everything(scene);
+  scene.frame.draws = scene.draws;
+  for (const Target target : kTargets) {
+    if (!can_run(target)) continue;
+    RenderOptions options;
+    options.threads = 2, options.target = target;
+    EXPECT_EQ(difference_of(scene.frame, scene.image, options), "") << name_of(target);
+  }
+}
+
 TEST(FastPictures, OfTheDeterminismProductAreTheReferences) {
   FrameMemory memory;
   RenderOptions options;
@@ -32,29 +44,13 @@ TEST(FastPictures, OfTheDeterminismProductAreTheReferences) {
 
 TEST(FastPictures, OfTheFrameWithEverythingAreTheReferences) {
   for (const ColorFormat format : {ColorFormat::rgba8, ColorFormat::rgba32f}) {
-    SmallScene scene({150, 90}, format);
-    add_everything(scene);
-    scene.frame.draws = scene.draws;
-    for (const Target target : kTargets) {
-      if (!can_run(target)) continue;
-      RenderOptions options;
-      options.threads = 2, options.target = target;
-      EXPECT_EQ(difference_of(scene.frame, scene.image, options), "") << name_of(target);
-    }
+    expect_everything_is_the_references({150, 90}, format);
   }
 }
 
 // More than a million pixels, whole lines of the cache a row: written past the caches.
 TEST(FastPictures, OfAnImageThatIsStreamedAreTheReferences) {
-  SmallScene scene({1216, 903});
-  add_everything(scene);
-  scene.frame.draws = scene.draws;
-  for (const Target target : kTargets) {
-    if (!can_run(target)) continue;
-    RenderOptions options;
-    options.threads = 2, options.target = target;
-    EXPECT_EQ(difference_of(scene.frame, scene.image, options), "") << name_of(target);
-  }
+  expect_everything_is_the_references({1216, 903}, ColorFormat::rgba8);
 }
 
 TEST(FastPictures, OfNothingInViewAreTheClearOfEveryPlane) {
