@@ -1,6 +1,8 @@
 #include "experiments/scenes/laboratory_scenes.h"
 
 #include "geometry/procedural/furniture.h"
+#include "geometry/procedural/interior.h"
+#include "geometry/procedural/town.h"
 
 namespace lode::experiments {
 namespace {
@@ -16,6 +18,7 @@ Scene only(const geometry::Model& model) {
 }  // namespace
 
 std::vector<BuiltinScene> laboratory_scenes() {
+  const Parameter seed = {"seed", "of the random numbers", 0, 9007199254740992.0, 1, true};
   return {
       {"table",
        "A table of 3948 triangles and 2080 vertices",
@@ -29,6 +32,14 @@ std::vector<BuiltinScene> laboratory_scenes() {
        "A sofa of 9280 triangles and 4652 vertices",
        {},
        [](const SceneValues&) { return only(geometry::sofa()); }},
+      {"town179",
+       "A town of 179 models and 973103 triangles, with two walks: street, roofs",
+       {seed},
+       [](const SceneValues& v) { return geometry::town(std::uint64_t(v.at("seed"))); }},
+      {"interior124",
+       "A flat of 124 models and 629336 triangles in 12 rooms, with a walk: rooms",
+       {seed},
+       [](const SceneValues& v) { return geometry::interior(std::uint64_t(v.at("seed"))); }},
   };
 }
 

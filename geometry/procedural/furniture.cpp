@@ -170,7 +170,8 @@ Model table() {
     for (const double x : {-1.0, 1.0}) {
       for (const double z : {-1.0, 1.0}) {
         const glm::dvec3 leg(x * leg_x, y, z * leg_z);
-        const glm::dvec3 out_x = leg + glm::dvec3(x * 0.040, 0, 0), out_z = leg + glm::dvec3(0, 0, z * 0.040);
+        const double reach = y > 0.5 ? 0.039 : 0.026;  // just inside the leg's surface
+        const glm::dvec3 out_x = leg + glm::dvec3(x * reach, 0, 0), out_z = leg + glm::dvec3(0, 0, z * reach);
         add_turned(wood, peg, 4, frame_along(out_x, out_x + glm::dvec3(x, 0, 0)));
         add_turned(wood, peg, 4, frame_along(out_z, out_z + glm::dvec3(0, 0, z)));
       }
