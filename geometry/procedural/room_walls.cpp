@@ -30,20 +30,31 @@ struct WallFrame {
 };
 
 void add(Mesh& mesh, const Bounds& b) { add_block(mesh, b.low, b.high); }
+/// 64 triangles; a moulding, which is only bevelled, 32.
 void add_rounded(Mesh& mesh, const Bounds& b, double radius) { add_rounded_box(mesh, b.low, b.high, radius, 8, 4); }
+void add_moulding(Mesh& mesh, const Bounds& b, double radius) { add_rounded_box(mesh, b.low, b.high, radius, 8, 2); }
 
-/// Skirting, dado and panels on one side of the wall from u0 to u1; side is 1 or −1.
+/// Where wall and ceiling meet.
+void add_cornice(Model& model, const WallFrame& frame, double u0, double u1, double side) {
+  const double face = side * 0.5 * kWallThickness;
+  add_moulding(model.surface(kJoinery),
+               frame.box(u0, u1, kRoomHeight - 0.10, kRoomHeight + 0.01, face - side * 0.01, face + side * 0.07),
+               0.012);
+}
+
+/// Skirting, dado, panels and cornice on one side of the wall from u0 to u1; side is 1 or −1.
 void add_panelling(Model& model, const WallFrame& frame, double u0, double u1, double side) {
   const double face = side * 0.5 * kWallThickness;
   const auto on_face = [&](double a, double b, double y0, double y1, double depth) {
     return frame.box(a, b, y0, y1, face - side * 0.01, face + side * depth);
   };
   Mesh &joinery = model.surface(kJoinery), &panel = model.surface(kPanel);
-  add_rounded(joinery, on_face(u0, u1, 0.0, 0.14, 0.022), 0.008);
-  add_rounded(joinery, on_face(u0, u1, 0.90, 0.96, 0.03), 0.010);
-  add_rounded(joinery, on_face(u0, u1, kRoomHeight - 0.10, kRoomHeight + 0.01, 0.07), 0.012);
+  add_moulding(joinery, on_face(u0, u1, 0.0, 0.14, 0.022), 0.008);
+  add_moulding(joinery, on_face(u0, u1, 0.90, 0.96, 0.03), 0.010);
+  add_cornice(model, frame, u0, u1, side);
   add(panel, on_face(u0, u1, 0.13, 0.91, 0.008));
-  const int n = std::max(1, int((u1 - u0) / 0.8 + 0.5));
+  constexpr double kPanelWidth = 0.95;
+  const int n = std::max(1, int((u1 - u0) / kPanelWidth + 0.5));
   for (int k = 0; k < n; ++k) {
     const double a = u0 + (u1 - u0) * k / n + 0.09, b = u0 + (u1 - u0) * (k + 1) / n - 0.09;
     if (b - a > 0.1) add_rounded(panel, on_face(a, b, 0.24, 0.81, 0.028), 0.008);
@@ -64,7 +75,7 @@ void add_door_case(Mesh& joinery, const WallFrame& frame, double u) {
 }
 
 /// A wall from −span/2 to span/2 of n rooms with a door in each, in closed parts.
-Model partition(const WallFrame& frame, int n, double room, const std::string& name) {
+Model partition(const WallFrame& frame, int n, double room, const std::string& name, std::size_t triangles) {
   Model model{.name = name, .surfaces = {}};
   for (const Material& m : {kPlaster, kPanel, kJoinery}) (void)model.surface(m);
   Mesh& plaster = model.surface(kPlaster);
@@ -88,9 +99,11 @@ Model partition(const WallFrame& frame, int n, double room, const std::string& n
     if (last) break;
     add(plaster, frame.box(door - half_door, door + half_door, kDoorHeight, kRoomHeight, -half, half));
     add_door_case(model.surface(kJoinery), frame, door);
+    for (const double side : {-1.0, 1.0})
+      add_cornice(model, frame, door - half_door - 0.11, door + half_door + 0.11, side);
     from = door + half_door;
   }
-  fill_up(model, plaster, kPartitionTriangles);
+  fill_up(model, plaster, triangles);
   return model;
 }
 
@@ -122,7 +135,7 @@ void add_outer_wall(Model& model, const WallFrame& frame, int n, double room, do
     Mesh& joinery = model.surface(kJoinery);
     add(joinery, frame.box(m - 0.025, m + 0.025, kLow, kHigh, 0.8 * deep, 0.5 * deep));
     for (const double y : {kLow + 0.03, 1.9, kHigh - 0.03}) {
-      add(joinery, frame.box(m - kHalf, m + kHalf, y - 0.025, y + 0.025, 0.8 * deep, 0.5 * deep));
+      add_moulding(joinery, frame.box(m - kHalf, m + kHalf, y - 0.025, y + 0.025, 0.8 * deep, 0.5 * deep), 0.008);
     }
     add_rounded(joinery, frame.box(m - kHalf - 0.1, m + kHalf + 0.1, kLow - 0.05, kLow, 0.9 * deep, side * 0.10),
                 0.012);
@@ -132,12 +145,14 @@ void add_outer_wall(Model& model, const WallFrame& frame, int n, double room, do
 
 void add_floor(Model& model) {
   const double x1 = 0.5 * kRoomsX * kRoomX, z1 = 0.5 * kRoomsZ * kRoomZ;
-  constexpr int kRows = 120;  // boards of 20 cm along x, in two shades, broken at a third or two of their length
+  constexpr int kRows = 120,
+                kPieces = 5;  // boards of 20 cm along x, in two shades, broken at a third or two of their length
   for (int k = 0; k < kRows; ++k) {
     const double a = -z1 + 2.0 * z1 * k / kRows, b = -z1 + 2.0 * z1 * (k + 1) / kRows;
     double from = -x1;
-    for (int piece = 0; piece < 6; ++piece) {
-      const double to = piece == 5 ? x1 : -x1 + 2.0 * x1 * (piece + 0.3 + 0.37 * (k * 5 % 7) / 7.0 + 0.2) / 6.0;
+    for (int piece = 0; piece < kPieces; ++piece) {
+      const double to =
+          piece + 1 == kPieces ? x1 : -x1 + 2.0 * x1 * (piece + 0.3 + 0.37 * (k * 5 % 7) / 7.0 + 0.2) / kPieces;
       Mesh& mesh = model.surface((k * 7 + piece * 3) % 5 < 2 ? kDarkBoards : kBoards);
       add_quad(mesh, {from, 0.0, a}, {from, 0.0, b}, {to, 0.0, b}, {to, 0.0, a});
       from = to;
@@ -151,12 +166,12 @@ void add_floor(Model& model) {
 
 Model partition_east_of(int column) {
   const double x = (column + 1 - 0.5 * kRoomsX) * kRoomX;
-  return partition({false, x}, kRoomsZ, kRoomZ, "partition east of " + std::to_string(column));
+  return partition({false, x}, kRoomsZ, kRoomZ, "partition east of " + std::to_string(column), kEastPartitionTriangles);
 }
 
 Model partition_south_of(int row) {
   const double z = (row + 1 - 0.5 * kRoomsZ) * kRoomZ;
-  return partition({true, z}, kRoomsX, kRoomX, "partition south of " + std::to_string(row));
+  return partition({true, z}, kRoomsX, kRoomX, "partition south of " + std::to_string(row), kSouthPartitionTriangles);
 }
 
 Model room_shell() {

@@ -9,7 +9,9 @@ namespace lode::geometry {
 inline constexpr int kRoomsX = 4, kRoomsZ = 3;
 inline constexpr double kRoomX = 6.0, kRoomZ = 8.0, kRoomHeight = 3.0;
 inline constexpr double kDoorWidth = 1.0, kDoorHeight = 2.1, kWallThickness = 0.16;
-inline constexpr std::size_t kPartitionTriangles = 5000, kShellTriangles = 30'344 - 5 * kPartitionTriangles;
+inline constexpr std::size_t kEastPartitionTriangles = 4840, kSouthPartitionTriangles = 5424;
+inline constexpr std::size_t kShellTriangles =
+    30'344 - (kRoomsX - 1) * kEastPartitionTriangles - (kRoomsZ - 1) * kSouthPartitionTriangles;
 
 /// Of the door in a wall of a room, from the wall's middle along +x or +z: beside the middle, where tables stand.
 inline constexpr double kDoorOffset = 1.6;

@@ -245,7 +245,7 @@ void add_street_furniture(ModelScene& scene, const std::vector<int>& parks) {
   }
   for (int k = 0; k < 2; ++k) {
     scene.place(column_model, "column " + std::to_string(k),
-                turned_frame(in_block(kBlocksX * 2 + 1 + 3 * k, -27.0, -27.5), 0.0));
+                turned_frame(in_block(kBlocksX * 2 + 1 + 3 * k, -28.4, -28.4), 0.0));
   }
   scene.place(street_furniture(fountain), "fountain", turned_frame(in_block(parks[0], 0.0, 0.0), 0.0));
   scene.place(town_ground(parks), "ground");
