@@ -1,7 +1,12 @@
 #include "experiments/scenes/laboratory_scenes.h"
 
+#include <cstdlib>
+#include <string>
+
+#include "experiments/error.h"
 #include "geometry/procedural/furniture.h"
 #include "geometry/procedural/interior.h"
+#include "geometry/procedural/kit_scenes.h"
 #include "geometry/procedural/town.h"
 
 namespace lode::experiments {
@@ -13,6 +18,16 @@ Scene only(const geometry::Model& model) {
   geometry::ModelScene scene(model.name);
   scene.place(model, model.name);
   return std::move(scene).take();
+}
+
+/// A folder of the models that LODESTONE_ASSETS names.
+std::string assets(const std::string& scene, const std::string& folder) {
+  const char* root = std::getenv("LODESTONE_ASSETS");
+  if (root == nullptr || *root == '\0') {
+    throw Error(Status::bad_input, "scene " + scene + ": LODESTONE_ASSETS: expected the folder of the models, with " +
+                                       folder + " in it, found nothing");
+  }
+  return std::string(root) + "/" + folder;
 }
 
 }  // namespace
@@ -40,6 +55,25 @@ std::vector<BuiltinScene> laboratory_scenes() {
        "A flat of 124 models and 629336 triangles in 12 rooms, with a walk: rooms",
        {seed},
        [](const SceneValues& v) { return geometry::interior(std::uint64_t(v.at("seed"))); }},
+      {"kit_city",
+       "A street grid assembled from kits/kaykit-city in LODESTONE_ASSETS, with a walk: street",
+       {seed},
+       [](const SceneValues& v) {
+         return geometry::kit_city(assets("kit_city", "kits/kaykit-city/gltf"), std::uint64_t(v.at("seed")));
+       }},
+      {"kit_dungeon",
+       "Rooms and a corridor assembled from kits/kaykit-dungeon in LODESTONE_ASSETS, with a walk: rooms",
+       {seed},
+       [](const SceneValues& v) {
+         return geometry::kit_dungeon(assets("kit_dungeon", "kits/kaykit-dungeon/glb"), std::uint64_t(v.at("seed")));
+       }},
+      {"kit_rooms",
+       "A flat furnished from kits/kaykit-furniture and furniture-cc0 in LODESTONE_ASSETS, with a walk: rooms",
+       {seed},
+       [](const SceneValues& v) {
+         return geometry::kit_rooms(assets("kit_rooms", "kits/kaykit-furniture/gltf"),
+                                    assets("kit_rooms", "furniture-cc0"), std::uint64_t(v.at("seed")));
+       }},
   };
 }
 

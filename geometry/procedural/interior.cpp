@@ -7,21 +7,14 @@
 #include "geometry/procedural/furniture.h"
 #include "geometry/procedural/parts.h"
 #include "geometry/procedural/room_models.h"
-#include "geometry/procedural/room_walls.h"
+#include "geometry/procedural/rooms.h"
 #include "geometry/random.h"
 #include "geometry/trigonometry.h"
 
 namespace lode::geometry {
 namespace {
 
-constexpr int kRooms = kRoomsX * kRoomsZ;
 constexpr double kQuarter = 0.5 * kPi;
-
-/// A room's middle on the floor.
-glm::dvec3 room_centre(int column, int row) {
-  return {(column + 0.5 - 0.5 * kRoomsX) * kRoomX, 0.0, (row + 0.5 - 0.5 * kRoomsZ) * kRoomZ};
-}
-glm::dvec3 room_centre(int room) { return room_centre(room % kRoomsX, room / kRoomsX); }
 
 /// Puts furniture into rooms. Doors are kDoorOffset east and south of the walls' middles: the ways between them, 1.2 m
 /// wide, stay free, and so does the eastern part of each room.
@@ -88,34 +81,6 @@ class Furnisher {
   std::size_t sofas_[3] = {}, bookcases_[4] = {}, plants_[3] = {};
 };
 
-void add_walls(ModelScene& scene) {
-  for (int i = 0; i + 1 < kRoomsX; ++i)
-    scene.place(partition_east_of(i), "partition east of column " + std::to_string(i));
-  for (int j = 0; j + 1 < kRoomsZ; ++j)
-    scene.place(partition_south_of(j), "partition south of row " + std::to_string(j));
-  scene.place(room_shell(), "shell");
-}
-
-/// Eastwards through the rooms of the first row, back through the second, eastwards through the third.
-void add_path(ModelScene& scene) {
-  constexpr double kEye = 1.6;
-  const auto crossing = [&](int column, int row) {  // where a room's two ways cross
-    return room_centre(column, row) + glm::dvec3(kDoorOffset, kEye, kDoorOffset);
-  };
-  std::vector<glm::dvec3> points = {room_centre(0, 0) + glm::dvec3(-2.3, kEye, kDoorOffset)};
-  for (int row = 0; row < kRoomsZ; ++row) {
-    const bool east = row % 2 == 0;
-    if (row > 0) points.push_back(crossing(east ? 0 : kRoomsX - 1, row));
-    if (row + 1 < kRoomsZ) points.push_back(crossing(east ? kRoomsX - 1 : 0, row));
-  }
-  points.push_back(room_centre(kRoomsX - 1, kRoomsZ - 1) + glm::dvec3(1.8, kEye, kDoorOffset));
-  scene.add_path({"rooms", rounded_corners(points, 1.0), 600, 2.0});
-  for (int room = 0; room < kRooms; ++room) {
-    const glm::dvec3 half(0.5 * kRoomX - 0.3, 0.0, 0.5 * kRoomZ - 0.3), c = room_centre(room);
-    scene.add_free_space({c - half + glm::dvec3(0, 1.2, 0), c + half + glm::dvec3(0, 1.9, 0)});
-  }
-}
-
 void expect_totals(const Scene& scene) {
   std::size_t n = 0;
   for (const SceneObject& object : scene.objects) n += n_triangles(scene, object);
@@ -129,8 +94,8 @@ void expect_totals(const Scene& scene) {
 Scene interior(std::uint64_t seed) {
   ModelScene scene("interior124");
   Furnisher(scene, seed).furnish();
-  add_walls(scene);
-  add_path(scene);
+  add_room_walls(scene);
+  add_room_walk(scene);
   expect_totals(scene.scene());
   return std::move(scene).take();
 }

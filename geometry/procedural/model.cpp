@@ -66,13 +66,42 @@ std::uint32_t ModelScene::material(const Material& material) {
 }
 
 std::size_t ModelScene::add(const Model& model) {
-  std::vector<std::uint32_t>& meshes = models_.emplace_back();
+  Placeable& placeable = models_.emplace_back();
   for (const ModelSurface& s : model.surfaces) {
     if (s.mesh.indices.empty()) continue;
-    meshes.push_back(std::uint32_t(scene_.meshes.size()));
+    placeable.meshes.push_back({std::uint32_t(scene_.meshes.size()), glm::dmat4(1.0)});
+    for (const std::uint32_t index : s.mesh.indices) placeable.bounds.add(glm::dvec3(s.mesh.positions[index]));
     scene_.meshes.push_back(s.mesh.normals.empty() ? with_smooth_normals(s.mesh) : s.mesh);
     scene_.meshes.back().material = material(s.material);
   }
+  return models_.size() - 1;
+}
+
+std::uint32_t ModelScene::picture(const Picture& picture) {
+  for (std::size_t k = 0; k < scene_.pictures.size(); ++k) {
+    const Picture& known = scene_.pictures[k];
+    if (known.size_px == picture.size_px && known.texels == picture.texels) return std::uint32_t(k);
+  }
+  scene_.pictures.push_back(picture);
+  return std::uint32_t(scene_.pictures.size() - 1);
+}
+
+std::size_t ModelScene::add(const Scene& source) {
+  std::vector<std::uint32_t> pictures;
+  for (const Picture& p : source.pictures) pictures.push_back(picture(p));
+  const auto first_material = std::uint32_t(scene_.materials.size());
+  const auto first_mesh = std::uint32_t(scene_.meshes.size());
+  for (Material m : source.materials) {
+    if (m.color_texture) m.color_texture->picture = pictures[m.color_texture->picture];
+    scene_.materials.push_back(std::move(m));
+  }
+  for (Mesh mesh : source.meshes) {
+    if (mesh.material) *mesh.material += first_material;
+    scene_.meshes.push_back(std::move(mesh));
+  }
+  scene_.files.insert(scene_.files.end(), source.files.begin(), source.files.end());
+  Placeable& placeable = models_.emplace_back(Placeable{{}, source.bounds()});
+  for (const Instance& i : source.instances) placeable.meshes.push_back({first_mesh + i.mesh, i.world_from_object});
   return models_.size() - 1;
 }
 
@@ -80,8 +109,10 @@ void ModelScene::place(std::size_t model, const std::string& name, const glm::dm
   const auto node = std::uint32_t(scene_.nodes.size());
   scene_.nodes.push_back({name, {}, world_from_model, world_from_model});
   const auto first = std::uint32_t(scene_.instances.size());
-  for (const std::uint32_t mesh : models_[model]) scene_.instances.push_back({mesh, node, world_from_model});
-  scene_.objects.push_back({name, first, std::uint32_t(models_[model].size())});
+  for (const PlacedMesh& m : models_[model].meshes) {
+    scene_.instances.push_back({m.mesh, node, world_from_model * m.model_from_mesh});
+  }
+  scene_.objects.push_back({name, first, std::uint32_t(models_[model].meshes.size())});
 }
 
 void ModelScene::add_path(CameraPath path) {

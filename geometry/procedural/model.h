@@ -43,14 +43,19 @@ void fill_up(Model& model, Mesh& surface, std::size_t n);
 /// Throws Error (bad_input), with what was found, unless the model has so many triangles.
 void expect_triangles(const Model& model, std::size_t n);
 
-/// A scene made of models, each placed any number of times; one placing is one object and one node. Materials of one
-/// name are one, and must be equal.
+/// A scene made of models, each placed any number of times; one placing is one object and one node. Materials of
+/// procedural models that have one name are one, and must be equal.
 class ModelScene {
  public:
   explicit ModelScene(std::string name) { scene_.name = std::move(name); }
 
   /// Gives the meshes smooth normals with sharp creases, unless they have normals. Returns the model's index.
   std::size_t add(const Model& model);
+  /// Everything of a scene, as it stands there, as one model. A picture that is there already is not kept twice.
+  std::size_t add(const Scene& source);
+  /// Of what the model draws, in its own space.
+  [[nodiscard]] const Bounds& bounds(std::size_t model) const { return models_[model].bounds; }
+
   void place(std::size_t model, const std::string& name, const glm::dmat4& world_from_model);
   /// Once.
   void place(const Model& model, const std::string& name, const glm::dmat4& world_from_model = glm::dmat4(1.0)) {
@@ -65,11 +70,21 @@ class ModelScene {
   [[nodiscard]] Scene take() && { return std::move(scene_); }
 
  private:
+  struct PlacedMesh {
+    std::uint32_t mesh;
+    glm::dmat4 model_from_mesh;
+  };
+  struct Placeable {
+    std::vector<PlacedMesh> meshes;
+    Bounds bounds;
+  };
+
   std::uint32_t material(const Material& material);
+  std::uint32_t picture(const Picture& picture);
 
   Scene scene_;
-  std::map<std::string, std::uint32_t> materials_;  ///< by name
-  std::vector<std::vector<std::uint32_t>> models_;  ///< the meshes of each
+  std::map<std::string, std::uint32_t> materials_;  ///< of procedural models, by name
+  std::vector<Placeable> models_;
 };
 
 }  // namespace lode::geometry
