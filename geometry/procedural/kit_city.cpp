@@ -61,12 +61,15 @@ void add_tiles(Kit& kit, std::uint64_t seed) {
 void add_cars(Kit& kit, std::uint64_t seed) {
   const char* cars[] = {"car_hatchback.gltf", "car_police.gltf", "car_sedan.gltf", "car_stationwagon.gltf",
                         "car_taxi.gltf"};
-  for (int k = 0; k < 48; ++k) {
+  // Four in ten of the places: three a block on either side of each street along x.
+  constexpr int kPlaces = 3;
+  for (int k = 0; k < 5 * 4 * kPlaces * 2; ++k) {
     Random random(seed, 2, std::uint64_t(k));
-    const int j = 3 * (k % 5), column = int(random.below(4));
-    const double i = 5.0 * column + 1.0 + 3.0 * random.uniform();
-    const double side = k % 2 == 0 ? 1.0 : -1.0;
-    const glm::dvec3 at = tile(i, j) + glm::dvec3(0.0, kRoadHeight, side * 0.4 * kUnit);
+    if (random.below(10) >= 4) continue;
+    const int street = 3 * (k % 5), column = k / 5 % 4, place = k / 20 % kPlaces;
+    const double side = k / 20 / kPlaces == 0 ? 1.0 : -1.0,
+                 i = 5.0 * column + 1.2 + 1.3 * place + random.uniform(-0.2, 0.2);
+    const glm::dvec3 at = tile(i, street) + glm::dvec3(0.0, kRoadHeight, side * 0.42 * kUnit);
     kit.stand(cars[random.below(5)], turned_frame(at, side * 0.5 * kPi));
   }
 }

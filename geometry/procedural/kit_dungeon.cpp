@@ -95,7 +95,7 @@ void furnish(Kit& kit, int i, int j, Random random) {
       quarter * random.below(2));
   put(one_of({"chest.glb", "chest_gold.glb", "keg.gltf.glb"}, random), 2.1, 0.36, 0.0);
   put(one_of({"bed_decorated.gltf.glb", "bed_frame.gltf.glb", "trunk_large_A.gltf.glb"}, random), 2.5, 2.38, kPi);
-  put(one_of({"barrel_small.gltf.glb", "box_small.gltf.glb", "stool.gltf.glb"}, random), 2.1, 2.7,
+  put(one_of({"barrel_small.gltf.glb", "box_small.gltf.glb", "stool.gltf.glb"}, random), 1.98, 2.74,
       random.uniform(0, 6));
   if (random.below(2) == 0) put("candle_triple.gltf.glb", 1.95, 2.45, 0.0);
   // Torches on the walls across from each other.

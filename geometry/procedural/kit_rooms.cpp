@@ -18,7 +18,7 @@ constexpr double kQuarter = 0.5 * kPi;
 class Room {
  public:
   Room(Kit& kit, Kit& scanned, int room, std::uint64_t seed)
-      : kit_(kit), scanned_(scanned), centre_(room_centre(room)), random_(seed, 1, std::uint64_t(room)) {}
+      : kit_(kit), scanned_(scanned), room_(room), centre_(room_centre(room)), random_(seed, 1, std::uint64_t(room)) {}
 
   void furnish(int kind) {
     switch (kind) {
@@ -49,16 +49,27 @@ class Room {
   std::string one_of(std::initializer_list<const char*> names) {
     return *(names.begin() + random_.below(std::uint32_t(names.size())));
   }
-  /// On the northern wall, its middle at height y.
-  void hang(const std::string& file, double x, double y) {
+  /// On the northern wall, or on the western one; not on outer walls, which have windows there.
+  void hang_north(const std::string& file, double x, double y) {
+    if (room_ < kRoomsX) return;
     kit_.place(file, turned_frame(centre_ + glm::dvec3(x, y, -0.5 * kRoomZ + 0.5 * kWallThickness + 0.02), 0.0));
   }
+  void hang_west(const std::string& file, double z, double y) {
+    if (room_ % kRoomsX == 0) return;
+    kit_.place(file, turned_frame(centre_ + glm::dvec3(-0.5 * kRoomX + 0.5 * kWallThickness + 0.02, y, z), kQuarter));
+  }
 
-  /// What most rooms have: a plant by the eastern wall, a cabinet by the northern one, something at the southern one.
+  /// What most rooms have: plants by the eastern wall, a cabinet by the northern one, things on the walls.
   void common() {
     put(one_of({"cactus_medium_A.gltf", "cactus_medium_B.gltf"}), 2.45, -1.0, 0.0);
+    put(one_of({"cactus_small_A.gltf", "cactus_small_B.gltf"}), 2.55, -1.75, 0.0);
+    put(one_of({"cabinet_small_decorated.gltf", "cabinet_small.gltf"}), 2.55, -2.6, -kQuarter);
     put(one_of({"cabinet_medium_decorated.gltf", "cabinet_medium.gltf"}), -1.9, -3.50, 0.0);
-    hang(one_of({"pictureframe_large_A.gltf", "pictureframe_medium.gltf"}), -0.1, 1.75);
+    put("rug_oval_A.gltf", kDoorOffset - 0.1, kDoorOffset, 0.0);
+    hang_north(one_of({"pictureframe_large_A.gltf", "pictureframe_large_B.gltf"}), -0.1, 1.75);
+    hang_west(one_of({"pictureframe_medium.gltf", "pictureframe_small_A.gltf"}), 2.75, 1.75);
+    hang_west(one_of({"pictureframe_small_B.gltf", "pictureframe_small_C.gltf"}), 3.35, 1.85);
+    hang_west(one_of({"shelf_B_small_decorated.gltf", "shelf_A_small.gltf"}), 0.2, 1.55);
   }
   void chairs_around(const std::array<glm::dvec3, 4>& places) {
     for (const glm::dvec3& p : places) {
@@ -68,11 +79,11 @@ class Room {
 
   void living() {
     common();
-    put(one_of({"rug_rectangle_A.gltf", "rug_rectangle_stripes_A.gltf", "rug_oval_A.gltf"}), -1.2, -1.4, 0.0);
-    put(one_of({"couch_pillows.gltf", "couch.gltf"}), -2.25, -1.4, kQuarter);
-    put("table_low.gltf", -0.9, -1.4, kQuarter, 0.07);
-    put("armchair_pillows.gltf", 0.45, -1.4, -kQuarter);
-    put("lamp_standing.gltf", -2.4, -2.75, 0.0);
+    put(one_of({"rug_rectangle_A.gltf", "rug_rectangle_stripes_A.gltf", "rug_oval_A.gltf"}), -1.2, -1.15, 0.0);
+    put(one_of({"couch_pillows.gltf", "couch.gltf"}), -2.25, -1.15, kQuarter);
+    put("table_low.gltf", -0.9, -1.15, kQuarter, 0.07);
+    put("armchair_pillows.gltf", 0.45, -1.15, -kQuarter);
+    put("lamp_standing.gltf", -2.4, -2.68, 0.0);
     put(one_of({"cabinet_small_decorated.gltf", "cabinet_medium_decorated.gltf"}), -1.5, 3.5, kPi);
   }
   void dining() {
@@ -86,7 +97,7 @@ class Room {
   void bedroom() {
     common();
     put(one_of({"bed_double_A.gltf", "bed_double_B.gltf"}), -1.75, -0.9, kQuarter);
-    put("cabinet_small.gltf", -2.5, -2.35, kQuarter);
+    put("cabinet_small.gltf", -2.5, -2.47, kQuarter);
     put("rug_rectangle_B.gltf", 0.3, -1.0, kQuarter);
     put("armchair.gltf", -1.9, 3.2, kPi);
     put("lamp_standing.gltf", -0.9, 3.4, 0.0);
@@ -98,8 +109,8 @@ class Room {
     put("lamp_table.gltf", -1.3, -1.5, 0.0, 0.72);
     put("book_set.gltf", -0.65, -1.6, 0.3, 0.72);
     put("armchair_pillows.gltf", -2.2, 3.15, kPi);
+    put_scanned("bookcase", -2.68, -2.5, kQuarter);
     put_scanned("bookcase", -2.68, -1.5, kQuarter);
-    put_scanned("bookcase", -2.68, -0.4, kQuarter);
   }
   void scanned_dining() {
     common();
@@ -112,10 +123,10 @@ class Room {
     put("couch_pillows.gltf", -1.6, 3.3, kPi);
   }
   void scanned_bedroom() {
-    hang("pictureframe_large_B.gltf", -0.1, 1.75);
     put_scanned("bedWithTexture", -1.0, -1.75, 0.0);
     put_scanned("wardrobeWithSlidingDoors", -1.6, 3.55, kPi);
     put("cactus_medium_A.gltf", 2.45, -1.0, 0.0);
+    hang_west("pictureframe_large_B.gltf", 2.9, 1.75);
   }
   void games() {
     common();
@@ -127,6 +138,7 @@ class Room {
 
   Kit& kit_;
   Kit& scanned_;
+  int room_;
   glm::dvec3 centre_;
   Random random_;
 };
