@@ -200,7 +200,8 @@ void add_trees(ModelScene& scene, std::uint64_t seed, const std::vector<int>& pa
   for (std::uint64_t k = 0; k < 6; ++k) models.push_back(scene.add(tree(seed * 6 + k)));
   const auto plant = [&](std::size_t k, const glm::dvec3& p) {
     Random random(seed, for_trees, k);
-    scene.place(models[random.below(6)], "tree " + std::to_string(k), turned_frame(p, random.uniform(0.0, 2.0 * kPi)));
+    const std::size_t model = models[random.below(6)];
+    scene.place(model, "tree " + std::to_string(k), turned_frame(p, random.uniform(0.0, 2.0 * kPi)));
   };
   std::size_t k = 0;
   for (const int park : parks) {
