@@ -21,8 +21,9 @@
 namespace lode::experiments {
 namespace {
 
-/// The program computes in single precision: this much is its own noise.
-constexpr double kMeanTolerance = 2e-5, kPixelTolerance = 1e-4;
+/// The program computes in single precision: this much is its own noise. A pixel where the pictures are equal has up to
+/// 1.1e-4 there: 2e-4 of noise in L*a*b*, of a hundred, to the power of 0.7.
+constexpr double kMeanTolerance = 2e-5, kPixelTolerance = 1.2e-4;
 
 using Texels = std::vector<glm::u8vec4>;
 using Colors = std::function<glm::u8vec3(int x, int y)>;
@@ -107,7 +108,7 @@ TEST(Flip, HasOneSetOfBitsEverywhere) {
   for (const float error : flip_of({50, 40}, a, b).errors) {
     hash = (hash ^ std::bit_cast<std::uint32_t>(error)) * 0x100000001b3u;
   }
-  EXPECT_EQ(hash, 0u);
+  EXPECT_EQ(hash, 4242823168579239489u);
 }
 
 TEST(Flip, PicturesOfNoPixelsHaveNoErrorsAndOneOfOnePixelHasOne) {

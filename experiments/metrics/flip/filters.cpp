@@ -64,7 +64,7 @@ void add_contrast_sensitivity(Filters& filters, double ppd) {
   scale(filters.blue_yellow_2, both);
 }
 
-/// In the program's order of operations: see features.h.
+/// In the program's order of operations: see flip.h.
 void add_features(Filters& filters, float ppd) {
   const float sigma = 0.5f * kFeatureWidth_deg * ppd;
   const int radius = int(std::ceil(3.0f * sigma));

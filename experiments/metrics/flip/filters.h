@@ -14,7 +14,7 @@ struct Filters {
   // The eye's contrast sensitivity, by channel. Blue-yellow is a sum of two.
   std::vector<double> achromatic, red_green, blue_yellow_1, blue_yellow_2;
 
-  // Features: a Gaussian, its first derivative (edges) and its second (points).
+  // Features: a Gaussian, its first derivative (edges) and its second (points). Single precision: see flip.h.
   std::vector<float> gaussian, edge, point;
 };
 

@@ -84,7 +84,9 @@ Strip load_strip(glm::ivec2 size_px, const LinearColors& color, int first_y, int
 
 /// As an eye sees it from where it is: YCxCz, [w*n_rows].
 Strip seen(const Strip& strip, const Filters& filters) {
-  const auto filtered = [](const Plane<double>& plane, const std::vector<double>& w) { return along_y(along_x(plane, w), w); };
+  const auto filtered = [](const Plane<double>& plane, const std::vector<double>& w) {
+    return along_y(along_x(plane, w), w);
+  };
   Strip result = {filtered(strip[0], filters.achromatic), filtered(strip[1], filters.red_green),
                   filtered(strip[2], filters.blue_yellow_1)};
   const Plane<double> second = filtered(strip[2], filters.blue_yellow_2);

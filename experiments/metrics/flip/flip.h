@@ -3,8 +3,11 @@
 /// Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for Alternating Images", HPG 2020), as NVIDIA's FLIP 1.6
 /// computes it: separated filters, picture edges repeated outwards.
 ///
-/// In contrast to that program everything is in double, each pixel's sums in one order whatever the threads, and
-/// without the C library's transcendentals: the same errors from every compiler.
+/// In contrast to that program colours are in double, each pixel's sums in one order whatever the threads, and without
+/// the C library's transcendentals: the same errors from every compiler. Features stay in single precision, with the
+/// program's order of operations. Their weights sum to 0, but in floats only to 6e-8, and the square root of the
+/// feature difference makes 1e-4 of that where pictures are flat: all in double, grey 128 against 136 is 0.127561, and
+/// what the program computes, and everybody quotes, is 0.127591.
 
 #include <functional>
 #include <glm/vec3.hpp>
