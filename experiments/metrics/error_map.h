@@ -15,8 +15,7 @@ struct ErrorMap {
 /// Summed in double, in order; 0 for no errors.
 [[nodiscard]] double mean_error(std::span<const float> errors);
 
-/// The smallest error that at least the share `p`, 0 < p ≤ 1, of all errors does not exceed (nearest rank); 0 for no
-/// errors. O(n); no NaN.
-[[nodiscard]] float error_percentile(std::span<const float> errors, double p);
+/// The smallest error that `percent` of 100 do not exceed (nearest rank), percent from 1 to 100; 0 for no errors. O(n).
+[[nodiscard]] float error_percentile(std::span<const float> errors, int percent);
 
 }  // namespace lode::experiments
