@@ -24,6 +24,10 @@ std::size_t object_of(std::uint32_t draw, std::span<const std::uint32_t> object_
 
 }  // namespace
 
+double CullingErrors::falsely_culled_share() const {
+  return owned_pixels == 0 ? 0.0 : double(falsely_culled_pixels) / double(owned_pixels);
+}
+
 std::optional<double> CullingErrors::culled_share() const {
   if (could_be_culled() == 0) return std::nullopt;
   return double(culled - falsely_culled_objects) / double(could_be_culled());
@@ -44,6 +48,7 @@ CullingErrors culling_errors(const CulledFrame& frame) {
   CullingErrors errors{.n_objects = frame.drawn.size()};
   for (std::size_t object = 0; object < owned.size(); ++object) {
     const bool visible = owned[object] > 0, drawn = frame.drawn[object] != 0;
+    errors.owned_pixels += owned[object];
     errors.visible += visible;
     errors.culled += !drawn;
     errors.missed_culls += drawn && !visible;

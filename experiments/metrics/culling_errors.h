@@ -24,7 +24,8 @@ struct CulledFrame {
 };
 
 struct CullingErrors {
-  std::uint64_t n_objects = 0;
+  std::uint64_t n_objects = 0;               ///< outside the view or in it
+  std::uint64_t owned_pixels = 0;            ///< of the reference: those that show any object
   std::uint64_t visible = 0;                 ///< objects
   std::uint64_t culled = 0;                  ///< objects, rightly or not
   std::uint64_t falsely_culled_objects = 0;  ///< visible, but culled
@@ -32,6 +33,8 @@ struct CullingErrors {
   std::uint64_t largest_missing_region = 0;  ///< pixels, 4-connected, of all of them together
   std::uint64_t missed_culls = 0;            ///< objects drawn that are not visible
 
+  /// Falsely culled of owned pixels, 0 to 1; 0 where there are none.
+  [[nodiscard]] double falsely_culled_share() const;
   [[nodiscard]] std::uint64_t could_be_culled() const { return n_objects - visible; }
   /// Rightly culled of what could be culled, 0 to 1; nothing where nothing could be.
   [[nodiscard]] std::optional<double> culled_share() const;

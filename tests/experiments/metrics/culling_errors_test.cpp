@@ -54,6 +54,8 @@ TEST(CullingErrors, OfACullerThatIsRightAreNone) {
   EXPECT_EQ(e.largest_missing_region, 0u);
   EXPECT_EQ(e.missed_culls, 0u);
   EXPECT_EQ(e.culled_share(), 1.0);
+  EXPECT_EQ(e.owned_pixels, 13u);
+  EXPECT_EQ(e.falsely_culled_share(), 0.0);
 }
 
 TEST(CullingErrors, AnObjectThatOwnsAPixelIsFalselyCulled) {
@@ -62,6 +64,7 @@ TEST(CullingErrors, AnObjectThatOwnsAPixelIsFalselyCulled) {
   EXPECT_EQ(e.falsely_culled_objects, 2u);
   EXPECT_EQ(e.falsely_culled_pixels, 10u);
   EXPECT_EQ(e.largest_missing_region, 7u);
+  EXPECT_EQ(e.falsely_culled_share(), 10.0 / 13.0);
   EXPECT_EQ(e.missed_culls, 1u);
   EXPECT_EQ(e.culled_share(), 0.0);
 }
