@@ -24,7 +24,7 @@ struct FlipParams {
 };
 
 /// Errors in [0, 1] of stored sRGB bytes. Symmetric in the two pictures; no errors for pictures of no pixels. O(w·h),
-/// about 0.5 µs a pixel and thread; a few MB beside the map.
+/// about 0.5 µs a pixel of one thread's time; beside the map about 6 kB per column and thread.
 /// Throws std::logic_error if the spans are not of the size that the pair states.
 [[nodiscard]] ErrorMap flip_map(const PicturePair& pair, const FlipParams& params = {});
 
