@@ -1,0 +1,72 @@
+#pragma once
+/// Clusters of polygons, and the tree that they grow into. Onozawa & Kitazawa, sec. 2.3.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/bounds.h"
+#include "techniques/convex_culling/approximation_params.h"
+#include "techniques/convex_culling/silhouette_area.h"
+#include "techniques/convex_culling/welded_mesh.h"
+
+namespace lode::techniques::convex_culling {
+
+/// A node v_i of alg. 1: a leaf is a polygon.
+struct ClusterNode {
+  std::vector<std::uint32_t> children;  ///< D(v_i), ascending; empty for a leaf
+  std::vector<std::uint32_t> support;   ///< U_i, ascending; a leaf's are its corners
+  geometry::Bounds bounds;              ///< of all vertices of its polygons
+};
+
+/// Nodes 0…triangles − 1 are the leaves; children come before parents; the last is the root. Empty for an empty mesh.
+using ClusterTree = std::vector<ClusterNode>;
+
+/// A cluster of the present round.
+struct Cluster {
+  std::uint32_t node = 0;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> vertices;  ///< ascending
+  double error = 0.0;                   ///< E of its polygons against the hull of its U
+};
+
+/// What a union of clusters would be: the measures that order candidates.
+struct Candidate {
+  std::vector<std::uint32_t> members;  ///< indices of clusters, ascending
+  std::vector<std::uint32_t> support;
+  double error = 0.0;       ///< E(S_i, C(U_i)), eq. 2
+  double model_area = 0.0;  ///< A(S_i)
+  double hull_area = 0.0;   ///< A(C(U_i)); by Cauchy's formula about ¾ of its surface
+};
+
+/// Evaluates unions of clusters; keeps its memory.
+class ClusterMeasure {
+ public:
+  ClusterMeasure(const WeldedMesh& mesh, const ApproximationParams& params)
+      : mesh_(mesh),
+        params_(params),
+        directions_(sphere_directions(params.direction_step_deg)),
+        area_(params.n_cluster_lines) {}
+
+  [[nodiscard]] Candidate of(std::span<const Cluster> clusters, std::vector<std::uint32_t> members);
+
+ private:
+  const WeldedMesh& mesh_;
+  const ApproximationParams& params_;
+  std::vector<glm::dvec3> directions_;
+  SilhouetteArea area_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::vector<std::uint32_t>> hull_{1};
+};
+
+/// An error in whole steps of a billionth of the square of the mesh's diagonal: what differs by rounding is equal, so
+/// that the ties of flat sets (all of E = 0) are decided by what comes next in the order.
+[[nodiscard]] double in_steps(double area, const WeldedMesh& mesh);
+
+/// Joins the members of each candidate, which have none in common, to one cluster with a node of its own; the others
+/// stay as they are (gap). In order of their first members.
+void merge(std::span<const Candidate> accepted, std::vector<Cluster>& clusters, ClusterTree& tree);
+
+}  // namespace lode::techniques::convex_culling
