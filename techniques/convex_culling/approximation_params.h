@@ -14,6 +14,11 @@ namespace lode::techniques::convex_culling {
 /// alg. 1).
 enum class VertexCount : std::uint8_t { distinct, sum };
 
+/// Which node of Q alg. 1 splits next. least_error: the one that leaves the least E(Q), as printed; it stays on
+/// plateaus where a split shows only after another one (of two hulls that hide each other's hollows). own_error: the
+/// one whose hull differs most from its own polygons, alone. better: both ways, and of their best Q the better.
+enum class SplitOrder : std::uint8_t { least_error, own_error, better };
+
 /// The parts of the work, for who wants to time them.
 enum class ApproximationStage : std::uint8_t { weld, area, cluster, partition, hulls, done };
 
@@ -22,8 +27,9 @@ struct ApproximationParams {
   /// welded vertices.
   std::vector<std::size_t> limits;
   VertexCount count = VertexCount::distinct;
-  double weld_tolerance = 1e-6;      ///< times the diagonal, 0…0.1; gap
-  double direction_step_deg = 45.0;  ///< of latitude and longitude, 5…90; gap
+  SplitOrder order = SplitOrder::better;  ///< the paper: least_error
+  double weld_tolerance = 1e-6;           ///< times the diagonal, 0…0.1; gap
+  double direction_step_deg = 45.0;       ///< of latitude and longitude, 5…90; gap
   SupportRule rule = SupportRule::nearest_to_sphere;
   bool relative_error = false;  ///< clusters in order of E/A, which favours compact ones, instead of E; gap
   int n_lines = 256;            ///< a plane, of reported areas, 1…4096; gap

@@ -53,8 +53,8 @@ void merge(std::span<const Candidate> accepted, std::vector<Cluster>& clusters, 
     if (!gone[i]) next.push_back(std::move(clusters[i]));
     if (first_of[i] == nullptr) continue;
     const Candidate& candidate = *first_of[i];
-    Cluster joined{.node = std::uint32_t(tree.size()), .triangles = {}, .vertices = {}, .error = candidate.error};
-    ClusterNode node{.children = {}, .support = candidate.support, .bounds = {}};
+    Cluster joined{.node = std::uint32_t(tree.size()), .triangles = {}, .vertices = {}};
+    ClusterNode node{.children = {}, .support = candidate.support, .bounds = {}, .error = candidate.error};
     for (const std::uint32_t m : candidate.members) {
       Cluster& member = clusters[m];
       node.children.push_back(member.node);

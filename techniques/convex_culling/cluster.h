@@ -18,6 +18,7 @@ struct ClusterNode {
   std::vector<std::uint32_t> children;  ///< D(v_i), ascending; empty for a leaf
   std::vector<std::uint32_t> support;   ///< U_i, ascending; a leaf's are its corners
   geometry::Bounds bounds;              ///< of all vertices of its polygons
+  double error = 0.0;                   ///< E of its polygons against the hull of U_i; 0 for a leaf
 };
 
 /// Nodes 0…triangles − 1 are the leaves; children come before parents; the last is the root. Empty for an empty mesh.
@@ -28,7 +29,6 @@ struct Cluster {
   std::uint32_t node = 0;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> vertices;  ///< ascending
-  double error = 0.0;                   ///< E of its polygons against the hull of its U
 };
 
 /// What a union of clusters would be: the measures that order candidates.

@@ -31,10 +31,10 @@ std::size_t n_triangles(std::span<const Cluster> clusters, std::span<const std::
 ClusterTree leaves(const WeldedMesh& mesh, std::vector<Cluster>& clusters) {
   ClusterTree tree;
   for (const Triangle& triangle : mesh.triangles) {
-    Cluster cluster{.node = std::uint32_t(tree.size()), .triangles = {triangle}, .vertices = {}, .error = 0.0};
+    Cluster cluster{.node = std::uint32_t(tree.size()), .triangles = {triangle}, .vertices = {}};
     cluster.vertices.assign(triangle.begin(), triangle.end());
     std::ranges::sort(cluster.vertices);
-    ClusterNode leaf{.children = {}, .support = cluster.vertices, .bounds = {}};
+    ClusterNode leaf{.children = {}, .support = cluster.vertices, .bounds = {}, .error = 0.0};
     for (const std::uint32_t v : triangle) leaf.bounds.add(glm::dvec3(mesh.vertices[v]));
     tree.push_back(std::move(leaf));
     clusters.push_back(std::move(cluster));

@@ -96,6 +96,11 @@ ConvexApproximation approximate(std::span<const glm::vec3> positions, std::span<
     ApproximationLevel level = level_of(mesh, hulls, limit, params);
     if (exact) level.hull_area = result.area;  // the same triangles: their union is the same
     level.error = level.hull_area > result.area ? level.hull_area - result.area : result.area - level.hull_area;
+    // A greater limit allows what a smaller one does: where the way down misses it, the level before is as good.
+    if (!result.levels.empty() && result.levels.back().error < level.error) {
+      level = result.levels.back();
+      level.limit = limit;
+    }
     result.levels.push_back(std::move(level));
   }
   enter(params, ApproximationStage::done);

@@ -22,6 +22,14 @@ struct GridFootprint {
     std::vector<Run> runs;
   };
   std::array<Plane, 3> planes;
+
+  [[nodiscard]] std::int64_t n_samples() const {
+    std::int64_t n = 0;
+    for (const Plane& plane : planes) {
+      for (const Run& run : plane.runs) n += run.high - run.low;
+    }
+    return n;
+  }
 };
 
 class CoverageGrid {

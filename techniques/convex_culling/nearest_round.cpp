@@ -91,7 +91,7 @@ void nearest_round(const WeldedMesh& mesh, const ApproximationParams& params, st
   for (const Pair& pair : near_pairs(spheres, mesh.bounds)) {
     const auto& [a, b] = pair;
     candidates.push_back(measure.of(clusters, {a, b}));
-    const double increase = candidates.back().error - clusters[a].error - clusters[b].error;
+    const double increase = candidates.back().error - tree[clusters[a].node].error - tree[clusters[b].node].error;
     keys.emplace_back(in_steps(increase, mesh), distance(spheres[a], spheres[b]), pair,
                       std::uint32_t(candidates.size() - 1));
   }

@@ -7,41 +7,25 @@
 #include <vector>
 
 #include "techniques/convex_culling/cluster.h"
+#include "techniques/convex_culling/extreme_vertices.h"
 
 namespace lode::techniques::convex_culling {
 
 struct Partition {
   std::vector<std::uint32_t> nodes;  ///< ascending
   std::size_t n_vertices = 0;        ///< m(Q): extreme vertices, counted as the params say
-};
-
-/// The extreme points X(C(U)) of a node's hull, as vertices of the mesh, ascending. Found when first asked for.
-class ExtremeVertices {
- public:
-  ExtremeVertices(const WeldedMesh& mesh, const ClusterTree& tree, const ApproximationParams& params)
-      : mesh_(mesh), tree_(tree), params_(params), known_(tree.size()) {}
-  [[nodiscard]] const std::vector<std::uint32_t>& of(std::uint32_t node);
-
- private:
-  const WeldedMesh& mesh_;
-  const ClusterTree& tree_;
-  const ApproximationParams& params_;
-  std::vector<std::vector<std::uint32_t>> known_;
+  double error = 0.0;                ///< E(Q) on the grid's samples
 };
 
 /// Q begins as {root}. Of all Q with one node replaced by its children that keep m ≤ limit, the one with the least E
-/// goes on (ties: the lowest node; leaves stay, gap), E(Q) growing or not; the best on the way is returned. Nothing if
-/// the root alone has more than `limit` vertices.
+/// goes on, E(Q) growing or not; the best on the way is returned. Leaves stay (gap). Of equal E (gap: nothing seems to
+/// change where others hide it) the one whose hulls have the least silhouettes each for itself, then the lowest node.
+/// Nothing if the root alone has more than `limit` vertices.
 ///
 ///   model_area  A(S), on the grid's samples
 ///   cost        a step looks at what it changed, and at one number for each node of Q
 [[nodiscard]] Partition partition(const WeldedMesh& mesh, const ClusterTree& tree, std::size_t limit,
                                   const ApproximationParams& params, double model_area, ExtremeVertices& extreme);
-
-/// The same, plainly: E and m of every Q' from the start. O(|Q|²) hulls; the tests' oracle.
-[[nodiscard]] Partition reference_partition(const WeldedMesh& mesh, const ClusterTree& tree, std::size_t limit,
-                                            const ApproximationParams& params, double model_area,
-                                            ExtremeVertices& extreme);
 
 /// A(S) on the samples of the grid that partition() uses.
 [[nodiscard]] double sampled_area(const WeldedMesh& mesh, const ApproximationParams& params);
