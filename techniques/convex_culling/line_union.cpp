@@ -11,6 +11,26 @@ double between(const glm::dvec2& a, const glm::dvec2& b, double x) {
   return b.x > a.x ? a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y) : a.y;
 }
 
+/// The edge's rise over x; 0 for an upright one, which meets no line but with its first point.
+double slope(const glm::dvec2& a, const glm::dvec2& b) {
+  const double rise = (b.y - a.y) / (b.x - a.x);
+  return std::isfinite(rise) ? rise : 0.0;
+}
+
+/// Sorts a few intervals by insertion, many by the library.
+void sort_by_low(std::vector<LineUnion::Interval>& line) {
+  if (line.size() > 24) {
+    std::ranges::sort(line, {}, &LineUnion::Interval::low);
+    return;
+  }
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const LineUnion::Interval y = line[i];
+    std::size_t k = i;
+    for (; k > 0 && line[k - 1].low > y.low; --k) line[k] = line[k - 1];
+    line[k] = y;
+  }
+}
+
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -65,10 +85,11 @@ void LineUnion::add_triangle(const glm::dvec2& a, const glm::dvec2& b, const glm
   if (m->x < l->x) std::swap(l, m);
   if (r->x < m->x) std::swap(m, r);
   if (m->x < l->x) std::swap(l, m);
+  const double step = lines_.spacing(), whole = slope(*l, *r), first = slope(*l, *m), second = slope(*m, *r);
   for (int i = lines_.first_from(l->x); i < lines_.n; ++i) {
-    const double x = lines_.x(i);
+    const double x = lines_.left + (double(i) + 0.5) * step;
     if (x > r->x) break;
-    add(i, between(*l, *r, x), x < m->x ? between(*l, *m, x) : between(*m, *r, x));
+    add(i, l->y + (x - l->x) * whole, x < m->x ? l->y + (x - l->x) * first : m->y + (x - m->x) * second);
   }
 }
 
@@ -87,7 +108,8 @@ void LineUnion::unite() {
   if (std::exchange(united_, true)) return;
   for (int i = 0; i < lines_.n; ++i) {
     std::vector<Interval>& line = on_line_[std::size_t(i)];
-    std::ranges::sort(line, {}, &Interval::low);
+    if (line.size() < 2) continue;
+    sort_by_low(line);
     std::size_t n = 0;
     for (const Interval& y : line) {
       if (n > 0 && y.low <= line[n - 1].high) {
