@@ -36,7 +36,10 @@ struct ApproximationParams {
   int n_cluster_lines = 64;     ///< a plane, of the areas that order clusters, 1…4096; gap
   int n_grid = 128;             ///< lines a plane, and samples a line, that choose among partitions, 1…1024; gap
 
-  /// Called when a part of the work begins, many times. A caller with a clock splits the time by it.
+  int threads = 0;  ///< that measure clusters; 0: one a processor. The result does not depend on it
+
+  /// Called when a part of the work begins, many times, on the calling thread. A caller with a clock splits the time by
+  /// it.
   std::function<void(ApproximationStage)> on_stage;
 };
 

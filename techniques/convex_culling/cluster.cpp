@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "raster/parallel.h"
+
 namespace lode::techniques::convex_culling {
 namespace {
 
@@ -12,6 +14,44 @@ int lines_for(std::size_t n_triangles, int n_most) {
   return std::min(n_most, std::max(16, int(4.0 * std::sqrt(double(n_triangles)))));
 }
 
+/// Measures unions one after another with the same memory.
+class ClusterMeasure {
+ public:
+  ClusterMeasure(const WeldedMesh& mesh, const ApproximationParams& params, std::span<const glm::dvec3> directions)
+      : mesh_(mesh), params_(params), directions_(directions), area_(params.n_cluster_lines) {}
+
+  [[nodiscard]] Candidate of(std::span<const Cluster> clusters, std::vector<std::uint32_t> members) {
+    triangles_.clear();
+    vertices_.clear();
+    for (const std::uint32_t m : members) {
+      const Cluster& cluster = clusters[m];
+      triangles_.insert(triangles_.end(), cluster.triangles.begin(), cluster.triangles.end());
+      vertices_.insert(vertices_.end(), cluster.vertices.begin(), cluster.vertices.end());
+    }
+    std::ranges::sort(vertices_);
+    vertices_.erase(std::ranges::unique(vertices_).begin(), vertices_.end());
+    Candidate candidate;
+    candidate.members = std::move(members);
+    candidate.support = support_vertices(mesh_.vertices, vertices_, directions_, params_.rule);
+    hull_[0] = candidate.support;
+    area_.set_lines(lines_for(triangles_.size(), params_.n_cluster_lines));
+    const SilhouetteArea::Areas areas = area_.of_both(mesh_.vertices, triangles_, vertices_, hull_);
+    candidate.error = areas.error();
+    candidate.model_area = areas.model;
+    candidate.hull_area = areas.hulls;
+    return candidate;
+  }
+
+ private:
+  const WeldedMesh& mesh_;
+  const ApproximationParams& params_;
+  std::span<const glm::dvec3> directions_;
+  SilhouetteArea area_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<std::vector<std::uint32_t>> hull_{1};
+};
+
 }  // namespace
 
 double in_steps(double area, const WeldedMesh& mesh) {
@@ -19,26 +59,21 @@ double in_steps(double area, const WeldedMesh& mesh) {
   return step > 0.0 ? std::floor(area / step + 0.5) : 0.0;
 }
 
-Candidate ClusterMeasure::of(std::span<const Cluster> clusters, std::vector<std::uint32_t> members) {
-  triangles_.clear();
-  vertices_.clear();
-  for (const std::uint32_t m : members) {
-    const Cluster& cluster = clusters[m];
-    triangles_.insert(triangles_.end(), cluster.triangles.begin(), cluster.triangles.end());
-    vertices_.insert(vertices_.end(), cluster.vertices.begin(), cluster.vertices.end());
-  }
-  std::ranges::sort(vertices_);
-  vertices_.erase(std::ranges::unique(vertices_).begin(), vertices_.end());
-  Candidate candidate;
-  candidate.members = std::move(members);
-  candidate.support = support_vertices(mesh_.vertices, vertices_, directions_, params_.rule);
-  hull_[0] = candidate.support;
-  area_.set_lines(lines_for(triangles_.size(), params_.n_cluster_lines));
-  const SilhouetteArea::Areas areas = area_.of_both(mesh_.vertices, triangles_, vertices_, hull_);
-  candidate.error = areas.error();
-  candidate.model_area = areas.model;
-  candidate.hull_area = areas.hulls;
-  return candidate;
+std::vector<Candidate> measure(const WeldedMesh& mesh, const ApproximationParams& params,
+                               std::span<const Cluster> clusters, std::vector<std::vector<std::uint32_t>> unions) {
+  constexpr std::size_t kAtOnce = 32;
+  const std::size_t n_chunks = (unions.size() + kAtOnce - 1) / kAtOnce;
+  const int n_workers = n_chunks > 1 ? raster::worker_count(params.threads) : 1;
+  const std::vector<glm::dvec3> directions = sphere_directions(params.direction_step_deg);
+  std::vector<ClusterMeasure> measures(std::size_t(n_workers), ClusterMeasure(mesh, params, directions));
+  std::vector<Candidate> candidates(unions.size());
+  raster::parallel_for(n_chunks, n_workers, [&](std::size_t chunk, int worker) {
+    const std::size_t end = std::min((chunk + 1) * kAtOnce, unions.size());
+    for (std::size_t i = chunk * kAtOnce; i < end; ++i) {
+      candidates[i] = measures[std::size_t(worker)].of(clusters, std::move(unions[i]));
+    }
+  });
+  return candidates;
 }
 
 void merge(std::span<const Candidate> accepted, std::vector<Cluster>& clusters, ClusterTree& tree) {

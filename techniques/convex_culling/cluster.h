@@ -40,26 +40,10 @@ struct Candidate {
   double hull_area = 0.0;   ///< A(C(U_i)); by Cauchy's formula about ¾ of its surface
 };
 
-/// Evaluates unions of clusters; keeps its memory.
-class ClusterMeasure {
- public:
-  ClusterMeasure(const WeldedMesh& mesh, const ApproximationParams& params)
-      : mesh_(mesh),
-        params_(params),
-        directions_(sphere_directions(params.direction_step_deg)),
-        area_(params.n_cluster_lines) {}
-
-  [[nodiscard]] Candidate of(std::span<const Cluster> clusters, std::vector<std::uint32_t> members);
-
- private:
-  const WeldedMesh& mesh_;
-  const ApproximationParams& params_;
-  std::vector<glm::dvec3> directions_;
-  SilhouetteArea area_;
-  std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> vertices_;
-  std::vector<std::vector<std::uint32_t>> hull_{1};
-};
+/// Measures each of some unions of clusters, given by their members. By as many threads as the params say.
+[[nodiscard]] std::vector<Candidate> measure(const WeldedMesh& mesh, const ApproximationParams& params,
+                                             std::span<const Cluster> clusters,
+                                             std::vector<std::vector<std::uint32_t>> unions);
 
 /// An error in whole steps of a billionth of the square of the mesh's diagonal: what differs by rounding is equal, so
 /// that the ties of flat sets (all of E = 0) are decided by what comes next in the order.

@@ -72,23 +72,23 @@ std::vector<std::vector<std::uint32_t>> neighbourhoods(std::span<const Cluster> 
 
 void neighbour_round(const WeldedMesh& mesh, const ApproximationParams& params, std::vector<Cluster>& clusters,
                      ClusterTree& tree) {
-  ClusterMeasure measure(mesh, params);
+  std::vector<std::vector<std::uint32_t>> unions;
   std::vector<std::vector<std::uint32_t>> neighbours = neighbourhoods(clusters, mesh.vertices.size());
-  std::vector<Candidate> candidates;
-  using Key = std::tuple<double, double, std::uint32_t>;
-  std::vector<Key> keys;
-  for (std::uint32_t i = 0; i < clusters.size(); ++i) {  // step 1: E of every NE(L_i)
-    if (neighbours[i].size() < 2) continue;
-    if (n_triangles(clusters, neighbours[i]) > 256 + 64 * clusters[i].triangles.size()) continue;
-    candidates.push_back(measure.of(clusters, std::move(neighbours[i])));
-    const Candidate& c = candidates.back();
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    std::vector<std::uint32_t>& members = neighbours[i];
+    const std::size_t own = clusters[i].triangles.size();
+    if (members.size() > 1 && n_triangles(clusters, members) <= 256 + 64 * own) unions.push_back(std::move(members));
+  }
+  std::vector<Candidate> candidates = measure(mesh, params, clusters, std::move(unions));  // step 1
+  std::vector<std::tuple<double, double, std::uint32_t>> keys;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
     const bool relative = params.relative_error && c.model_area > 0.0;
-    const double error = relative ? c.error / c.model_area : in_steps(c.error, mesh);
-    keys.emplace_back(error, in_steps(c.hull_area, mesh), std::uint32_t(candidates.size() - 1));
+    keys.emplace_back(relative ? c.error / c.model_area : in_steps(c.error, mesh), in_steps(c.hull_area, mesh), i);
   }
   std::ranges::sort(keys);  // step 2
   std::vector<std::uint32_t> order;
-  for (const Key& key : keys) order.push_back(std::get<2>(key));
+  for (const auto& [error, hull_area, i] : keys) order.push_back(i);
   merge(without_overlap(candidates, order, clusters.size()), clusters, tree);  // step 3
 }
 

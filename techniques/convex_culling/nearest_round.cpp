@@ -84,16 +84,15 @@ std::vector<Pair> near_pairs(std::span<const Sphere> spheres, const geometry::Bo
 
 void nearest_round(const WeldedMesh& mesh, const ApproximationParams& params, std::vector<Cluster>& clusters,
                    ClusterTree& tree) {
-  ClusterMeasure measure(mesh, params);
   const std::vector<Sphere> spheres = bounding_spheres(clusters, tree);
-  std::vector<Candidate> candidates;
+  std::vector<std::vector<std::uint32_t>> unions;
+  for (const auto& [a, b] : near_pairs(spheres, mesh.bounds)) unions.push_back({a, b});
+  std::vector<Candidate> candidates = measure(mesh, params, clusters, std::move(unions));
   std::vector<std::tuple<double, double, Pair, std::uint32_t>> keys;
-  for (const Pair& pair : near_pairs(spheres, mesh.bounds)) {
-    const auto& [a, b] = pair;
-    candidates.push_back(measure.of(clusters, {a, b}));
-    const double increase = candidates.back().error - tree[clusters[a].node].error - tree[clusters[b].node].error;
-    keys.emplace_back(in_steps(increase, mesh), distance(spheres[a], spheres[b]), pair,
-                      std::uint32_t(candidates.size() - 1));
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    const std::uint32_t a = candidates[i].members[0], b = candidates[i].members[1];
+    const double increase = candidates[i].error - tree[clusters[a].node].error - tree[clusters[b].node].error;
+    keys.emplace_back(in_steps(increase, mesh), distance(spheres[a], spheres[b]), Pair{a, b}, i);
   }
   std::ranges::sort(keys);
   std::vector<Candidate> accepted;
