@@ -19,9 +19,9 @@ void neighbour_round(const WeldedMesh& mesh, const ApproximationParams& params, 
                      ClusterTree& tree);
 
 /// Joins pairs of clusters that are near to each other, by smallest increase of E, then distance between bounding
-/// spheres, then index; at least one, about a quarter of the clusters at most (gap: the paper's rounds never end where
-/// parts share no vertex). Near: among the eight nearest of up to 256 clusters, or next to each other along a Morton
-/// curve.
+/// spheres, then index; at least one; of up to 256 clusters a quarter as many at most (gap: the paper's rounds never
+/// end where parts share no vertex). Near: among the eight nearest of up to 256 clusters, or next to each other along a
+/// Morton curve.
 void nearest_round(const WeldedMesh& mesh, const ApproximationParams& params, std::vector<Cluster>& clusters,
                    ClusterTree& tree);
 

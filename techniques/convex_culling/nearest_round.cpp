@@ -51,12 +51,14 @@ std::vector<std::uint32_t> along_morton_curve(std::span<const Sphere> spheres, c
   return order;
 }
 
+/// So many clusters, or fewer, are looked at with care: all pairs, and few of them joined in a round.
+constexpr std::size_t kAllPairs = 256;
+
 using Pair = std::array<std::uint32_t, 2>;  ///< ascending
 
 /// Pairs by distance, as long as either of the two has been in fewer than eight; and all neighbours along the curve.
 std::vector<Pair> near_pairs(std::span<const Sphere> spheres, const geometry::Bounds& bounds) {
-  constexpr std::size_t kAllPairs = 256;
-  constexpr std::uint32_t kWindow = 4, kMostPairs = 8;
+  constexpr std::uint32_t kWindow = 3, kMostPairs = 8;
   const std::uint32_t n = std::uint32_t(spheres.size());
   const std::vector<std::uint32_t> order = along_morton_curve(spheres, bounds);
   const std::uint32_t reach = n <= kAllPairs ? n : kWindow;
@@ -95,10 +97,12 @@ void nearest_round(const WeldedMesh& mesh, const ApproximationParams& params, st
     keys.emplace_back(in_steps(increase, mesh), distance(spheres[a], spheres[b]), Pair{a, b}, i);
   }
   std::ranges::sort(keys);
+  const std::size_t n_most =
+      clusters.size() > kAllPairs ? clusters.size() : std::max<std::size_t>(clusters.size() / 4, 1);
   std::vector<Candidate> accepted;
   std::vector<bool> taken(clusters.size());
   for (const auto& [increase, far, pair, i] : keys) {
-    if (accepted.size() >= std::max<std::size_t>(clusters.size() / 4, 1)) break;
+    if (accepted.size() >= n_most) break;
     if (taken[pair[0]] || taken[pair[1]]) continue;
     taken[pair[0]] = taken[pair[1]] = true;
     accepted.push_back(std::move(candidates[i]));
