@@ -1,5 +1,5 @@
 /// The convex approximation at the stress count: the fast way down the tree against the plain one, 200 models in CI,
-/// 20,000 long; and a soup of 50,000 triangles that share nothing.
+/// 20,000 long; and a soup of 20,000 triangles that share nothing.
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(ConvexStress, ThePartitionEqualsThePlainOne) {
 }
 
 TEST(ConvexStress, ASoupOfManyTrianglesHasItsLevels) {
-  const test::Soup soup = test::random_soup(3, 50'000);
+  const test::Soup soup = test::random_soup(3, 20'000);
   ApproximationParams params;
   params.limits = {100, 2000};
   const ConvexApproximation a = approximate(soup.positions, soup.indices, params);
