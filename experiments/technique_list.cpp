@@ -15,7 +15,8 @@ std::vector<Parameter> with_occluder_parameters(std::vector<Parameter> parameter
   const techniques::OccluderRule rule;
   parameters.push_back({"occluders", "objects that hide others: at most", 0, 1e6, double(rule.most), true});
   parameters.push_back({"least_degree", "occluder degree of the last one", 0, 1, rule.least_degree});
-  parameters.push_back({"far", "distance at which the degree is 0; 0: the scene's diagonal", 0, 1e9, rule.far});
+  parameters.push_back(
+      {"far", "distance at which the degree is 0; 0: the diagonal of scene and eye", 0, 1e9, rule.far});
   return parameters;
 }
 

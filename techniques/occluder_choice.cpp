@@ -18,6 +18,11 @@ double distance_to(const geometry::Bounds& box, const glm::dvec3& p) {
   return glm::length(glm::clamp(p, box.low, box.high) - p);
 }
 
+double diagonal_with(geometry::Bounds box, const glm::dvec3& eye) {
+  box.add(eye);
+  return box.diagonal();
+}
+
 struct Candidate {
   double degree;
   ObjectId id;
@@ -43,7 +48,7 @@ std::vector<ObjectId> choose_occluders(const World& world, const View& view, std
                                        std::span<const double> areas, const OccluderRule& rule) {
   double largest_area = 0.0;
   for (const ObjectId id : candidates) largest_area = std::max(largest_area, areas[id]);
-  const double far = rule.far > 0.0 ? rule.far : world.bounds().diagonal();
+  const double far = rule.far > 0.0 ? rule.far : diagonal_with(world.bounds(), view.camera.eye);
   if (!(largest_area > 0.0) || !(far > 0.0)) return {};
 
   std::vector<Candidate> chosen;

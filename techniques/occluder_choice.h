@@ -15,7 +15,9 @@ namespace lode::techniques {
 struct OccluderRule {
   double least_degree = 0.0;  ///< [0, 1]; those below are none
   int most = 64;              ///< ≥ 0; no more than these, the best
-  double far = 0.0;           ///< world units; the degree is 0 from here on; 0: the diagonal of the world's box
+  /// World units: the degree is 0 from here on. 0: the diagonal of the box of the world and the eye, so that a scene
+  /// seen from outside has occluders too.
+  double far = 0.0;
 };
 
 /// A(S) of each object: the area of its box seen along x, y and z, added up (the paper allows the box in the model's

@@ -69,6 +69,11 @@ TEST(ChooseOccluders, BeyondFarThereAreNone) {
   EXPECT_THAT(chosen(cubes({{1, 10}, {2, 20}}), {.far = 15.0}), ElementsAre(0));
 }
 
+TEST(ChooseOccluders, FromOutsideTheSceneThereAreSome) {
+  // The scene's own diagonal is below 3; the box of scene and eye is as long as the view.
+  EXPECT_THAT(chosen(cubes({{1, 100}, {1, 101}}), {}), ElementsAre(0, 1));
+}
+
 TEST(ChooseOccluders, TheLargestOfTheCandidatesCountsAsOne) {
   // The one behind the eye is ten times as large; were it counted, the other's degree would be below 0.01.
   const geometry::Scene scene = cubes({{1, 10}, {10, -30}});
