@@ -134,6 +134,23 @@ TYPED_TEST(SampledCulling, RandomScenesLookTheSame) {
   EXPECT_GT(n_culled, 50u);
 }
 
+TYPED_TEST(SampledCulling, EdgesThroughSamplesAndSharedPlanesLookTheSame) {
+  std::uint64_t n_culled = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const geometry::Scene scene = lattice_scene(seed, 30);
+    const World world(scene, kRawUnlit, seed % 2 == 0, 1);
+    Showing technique(world, TypeParam{});
+    Showing plain(world, techniques::Plain{});
+    for (std::uint64_t k = 0; k < 6; ++k) {
+      const View view = lattice_view(seed, k);
+      const TechniquePicture picture = technique.picture(view);
+      EXPECT_EQ(difference_from_plain(picture, plain.picture(view)), "") << "scene " << seed << ", view " << k;
+      n_culled += picture.count("culled");
+    }
+  }
+  EXPECT_GT(n_culled, 20u);
+}
+
 TEST(HierarchicalZ, CoarserTexelsHideLessAndNeverMore) {
   for (std::uint64_t k = 0; k < 8; ++k) {
     const geometry::Scene scene = random_scene(77, 40);

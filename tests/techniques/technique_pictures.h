@@ -110,6 +110,44 @@ inline techniques::View random_view(std::uint64_t seed, std::uint64_t element) {
   return view;
 }
 
+/// Boxes with corners on a lattice of halves: shared planes, edges and corners everywhere.
+inline geometry::Scene lattice_scene(std::uint64_t seed, int n_objects) {
+  geometry::Scene scene;
+  for (int k = 0; k < n_objects; ++k) {
+    geometry::Random random(seed, 2, std::uint64_t(k));
+    const auto point = [&](std::uint32_t n) {
+      const double x = random.below(n), y = random.below(n);
+      return 0.5 * glm::dvec3(x, y, random.below(n));
+    };
+    const glm::dvec3 low = point(24) - 6.0;
+    const glm::dvec3 high = low + point(random.below(4) == 0 ? 20 : 6);
+    geometry::Material material;
+    material.double_sided = random.below(3) == 0;
+    geometry::add_instance(scene, geometry::box(low, high), material);
+  }
+  return scene;
+}
+
+/// Along an axis, one to four pixels a unit, so that such a scene's edges run through samples and between pixels.
+inline techniques::View lattice_view(std::uint64_t seed, std::uint64_t element) {
+  geometry::Random random(seed, 3, element);
+  techniques::View view;
+  view.size_px = {40 + int(random.below(8)), 40 + int(random.below(8))};
+  glm::dvec3 eye(0.0);
+  const std::uint32_t side = random.below(6);
+  eye[int(side % 3)] = side < 3 ? 20.0 : -20.0;
+  geometry::look_at(view.camera, eye, glm::dvec3(0.0));
+  if (random.below(4) == 0) {
+    view.camera.tan_half_fov_y = 1.0;
+    return view;
+  }
+  view.camera.projection = geometry::Projection::orthographic;
+  view.camera.height = double(view.size_px.y) / double(1u << random.below(3));
+  view.camera.near = 0.0;
+  view.camera.far = 40.0;
+  return view;
+}
+
 /// Empty if the technique's picture of the view is that of the whole scene.
 inline std::string difference_from_plain(const TechniquePicture& technique, const TechniquePicture& plain) {
   return raster::test::first_difference(technique.image, plain.image);
