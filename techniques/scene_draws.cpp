@@ -98,6 +98,14 @@ std::vector<raster::Draw> SceneDraws::draws(const geometry::Camera& camera, glm:
   return draws;
 }
 
+raster::Draw SceneDraws::draw(std::uint32_t instance, const glm::dmat4& clip_from_world) const {
+  raster::Draw draw = draws_[instance];
+  std::get<raster::ObjectVertices>(draw.vertices).clip_from_object =
+      clip_from_world * scene_.instances[instance].world_from_object;
+  draw.draw_id = instance;
+  return draw;
+}
+
 std::unique_ptr<const SceneDraws::Surface> SceneDraws::make_surface(const geometry::Mesh& scene_mesh) {
   auto surface = std::make_unique<Surface>();
   if (scene_mesh.material) surface->material = scene_.materials[*scene_mesh.material];

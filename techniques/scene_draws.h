@@ -50,6 +50,9 @@ class SceneDraws {
   /// One draw an instance, as the camera sees it. They borrow from this and from the scene. O(instances).
   [[nodiscard]] std::vector<raster::Draw> draws(const geometry::Camera& camera, glm::ivec2 size_px) const;
 
+  /// The draw of one instance, with its index as the draw's id.
+  [[nodiscard]] raster::Draw draw(std::uint32_t instance, const glm::dmat4& clip_from_world) const;
+
   [[nodiscard]] const geometry::Scene& scene() const { return scene_; }
 
  private:

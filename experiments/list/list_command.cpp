@@ -42,6 +42,13 @@ ordered_json as_json(const Entry& entry) {
     return p.whole ? ordered_json(std::int64_t(value)) : ordered_json(value);
   };
   for (const Parameter& p : entry.parameters) {
+    if (!p.choices.empty()) {
+      parameters.push_back({{"name", p.name},
+                            {"meaning", p.meaning},
+                            {"choices", p.choices},
+                            {"default", value_text(p, p.default_value)}});
+      continue;
+    }
     parameters.push_back({{"name", p.name},
                           {"meaning", p.meaning},
                           {"low", number(p, p.low)},
@@ -63,8 +70,8 @@ std::string as_text(const Kind& kind) {
   for (const Entry& entry : kind.entries) {
     text += "  " + padded(entry.name, 12) + entry.summary + "\n";
     for (const Parameter& p : entry.parameters) {
-      const std::string range = number_text(p.low) + " to " + number_text(p.high) + (p.whole ? ", whole" : "");
-      text += "    " + padded(p.name + "=" + number_text(p.default_value), 16) + p.meaning + " (" + range + ")\n";
+      const std::string assignment = p.name + "=" + value_text(p, p.default_value);
+      text += "    " + padded(assignment, 16) + p.meaning + " (" + range_text(p) + ")\n";
     }
   }
   return text;

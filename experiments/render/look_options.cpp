@@ -5,7 +5,6 @@
 
 #include "experiments/error.h"
 #include "experiments/option_values.h"
-#include "experiments/technique_list.h"
 #include "raster/srgb.h"
 
 namespace lode::experiments {
@@ -23,19 +22,12 @@ glm::vec4 clear_color(const glm::dvec4& display, techniques::ColorSpace space) {
   return {linear(display.r), linear(display.g), linear(display.b), alpha};
 }
 
-/// None of the techniques has parameters.
-void check_technique(const std::string& text) {
-  const std::string_view name = std::string_view(text).substr(0, text.find(':'));
-  std::vector<std::string_view> names;
-  for (const TechniqueEntry& technique : technique_list()) names.push_back(technique.name);
-  static_cast<void>(read_choice("--technique", name, names));
-  if (name.size() < text.size()) fail_value("--technique", std::string(name) + ", which has no parameters", text);
-}
-
 }  // namespace
 
 void add_look_options(CLI::App& app, LookOptions& o) {
-  app.add_option("--clear", o.clear, "Background, display values 0 to 1 in steps of 1/255, premultiplied if raw (default 0,0,0,0)")->option_text("R,G,B,A");
+  app.add_option("--clear", o.clear,
+                 "Background, display values 0 to 1 in steps of 1/255, premultiplied if raw (default 0,0,0,0)")
+      ->option_text("R,G,B,A");
   app.add_option("--shading", o.shading,
                  "material (default: lit unless the material is unlit), lambert (all lit) or unlit")
       ->option_text("NAME");
@@ -51,7 +43,7 @@ Look read_look_options(const LookOptions& options) {
   look.draws.shading = techniques::Shading(read_choice("--shading", options.shading, kShadings));
   look.draws.color_space = techniques::ColorSpace(read_choice("--color-space", options.color_space, kColorSpaces));
   look.clear = clear_color(read_color("--clear", options.clear), look.draws.color_space);
-  check_technique(options.technique);
+  look.technique = read_technique("--technique", options.technique);
   return look;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/vec4.hpp>
 #include <string>
 
+#include "experiments/technique_list.h"
 #include "techniques/scene_draws.h"
 
 namespace CLI {
@@ -26,9 +27,10 @@ struct Look {
   /// In the target's unit. srgb: the display values rounded to 8 bits and decoded, then premultiplied; raw: times 255.
   glm::vec4 clear{0.0f};
   techniques::SceneDraws::Params draws;
+  TechniqueChoice technique;
 };
 
-/// Throws Error (wrong_usage).
+/// Throws Error: wrong_usage; bad_input for a technique's parameter.
 [[nodiscard]] Look read_look_options(const LookOptions& options);
 
 /// "srgb", "raw".

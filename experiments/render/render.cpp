@@ -53,30 +53,46 @@ Request read_options(const RenderOptions& options) {
 /// Everything that one frame after the other is drawn from.
 class FrameRenderer {
  public:
-  FrameRenderer(const Request& request, const SceneView& view, const techniques::SceneDraws& draws,
-                const raster::RenderOptions& options, Progress& progress)
-      : request_(request), view_(view), draws_(draws), options_(options) {
+  FrameRenderer(const Request& request, const SceneView& view, const raster::RenderOptions& options)
+      : request_(request),
+        view_(view),
+        options_(options),
+        world_(view.scene, request.look.draws, options.pipeline == raster::Pipeline::fast, options.threads),
+        stage_(world_, options),
+        technique_(request.look.technique.make()) {
+    technique_.prepare(stage_);
     options_.memory = &memory_;
-    options_.on_tile = [&progress] { progress.add(1); };
   }
 
   /// Frame k of an orbit; all frames are the same without one.
-  raster::FrameStats render(int k, raster::Image& image) {
+  raster::FrameStats render(int k, raster::Image& image, Progress& progress) {
     const bool turned = k > 0 && request_.orbit_rad != 0.0;
     const geometry::Camera camera =
         turned ? geometry::orbited(view_.camera, view_.bounds.centre(), k * request_.orbit_rad) : view_.camera;
-    const std::vector<raster::Draw> draws = draws_.draws(camera, view_.size_px);
-    const raster::Frame frame{
-        .draws = draws, .clear = request_.look.clear, .viewport = {}, .scissor = {}, .samples_fx8 = view_.samples_fx8};
+    const techniques::View view{.camera = camera, .size_px = view_.size_px};
+    stage_.begin(view);
+    technique_counters_ = technique_.draw(view, stage_);
+    options_.on_tile = [&progress] { progress.add(1); };
+    const raster::Frame frame{.draws = stage_.draws(),
+                              .clear = request_.look.clear,
+                              .viewport = {},
+                              .scissor = {},
+                              .samples_fx8 = view_.samples_fx8};
     return raster::render(frame, image, options_);
   }
+
+  [[nodiscard]] const techniques::Counters& technique_counters() const { return technique_counters_; }
+  [[nodiscard]] const techniques::Stage& stage() const { return stage_; }
 
  private:
   const Request& request_;
   const SceneView& view_;
-  const techniques::SceneDraws& draws_;
-  raster::FrameMemory memory_;
   raster::RenderOptions options_;
+  raster::FrameMemory memory_;
+  techniques::World world_;
+  techniques::Stage stage_;
+  AnyTechnique technique_;
+  techniques::Counters technique_counters_;
 };
 
 void render_view(const Request& request, const SceneView& view, const RenderOptions& options,
@@ -90,8 +106,7 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
                       .frames_ms = {},
                       .counters = {}};
   const double prepare_begin_ms = now_ms();
-  techniques::SceneDraws draws(view.scene, request.look.draws);
-  if (common.pipeline == raster::Pipeline::fast) draws.cut_clusters(common.threads);
+  FrameRenderer renderer(request, view, common.render_options());
   report.prepare_ms = now_ms() - prepare_begin_ms;
 
   // The first frame warms up, and is the one that is written and hashed, with all the planes that this takes. Frames
@@ -110,11 +125,13 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
 
   Progress progress(streams, common, "rendering", "tiles",
                     std::uint64_t(1 + n_timed) * raster::n_tiles(view.size_px, common.render_options()));
-  FrameRenderer renderer(request, view, draws, common.render_options(), progress);
-  report.counters = renderer.render(0, first);
+  report.counters = renderer.render(0, first, progress);
+  report.technique = request.look.technique.entry->name;
+  report.technique_counters = renderer.technique_counters();
+  report.stage = renderer.stage().work();
   for (int k = 0; k < n_timed; ++k) {
     const double begin_ms = now_ms();
-    static_cast<void>(renderer.render(k, timed));
+    static_cast<void>(renderer.render(k, timed, progress));
     report.frames_ms.push_back(now_ms() - begin_ms);
   }
   progress.finish();

@@ -31,6 +31,12 @@ void add_hash(ordered_json& hashes, const char* plane, const raster::PixelPlane<
 std::string render_stats_json(const RenderReport& report, const raster::Image& image) {
   ordered_json counters = ordered_json::object();
   raster::for_each_counter(report.counters, [&](const char* name, std::uint64_t value) { counters[name] = value; });
+  ordered_json work = {{"objects", report.stage.objects},
+                       {"primitives", report.stage.primitives},
+                       {"plates", report.stage.plates},
+                       {"captures", report.stage.captures},
+                       {"captured_px", report.stage.captured_px}};
+  for (const techniques::Counter& c : report.technique_counters) work[c.name] = c.value;
   ordered_json hashes = ordered_json::object();
   add_hash(hashes, "color", image.rgba8);
   add_hash(hashes, "color", image.rgba32f);
@@ -47,6 +53,8 @@ std::string render_stats_json(const RenderReport& report, const raster::Image& i
                              {"prepare_ms", report.prepare_ms},
                              {"frame_ms", summary_of(report.frames_ms)},
                              {"counters", counters},
+                             {"technique", report.technique},
+                             {"technique_counters", work},
                              {"sha256", hashes}};
   // A path need not be UTF-8; JSON must be.
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";

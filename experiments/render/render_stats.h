@@ -8,6 +8,7 @@
 #include "raster/render.h"
 #include "raster/stats.h"
 #include "techniques/scene_draws.h"
+#include "techniques/stage.h"
 
 namespace lode::experiments {
 
@@ -21,6 +22,9 @@ struct RenderReport {
   double prepare_ms = 0.0;
   std::vector<double> frames_ms;  ///< [n ≥ 1] in the order of the frames
   raster::FrameStats counters;    ///< of the first frame
+  std::string technique = "plain";
+  techniques::Counters technique_counters = {};  ///< of the first frame, as is
+  techniques::StageWork stage = {};              ///< this
 };
 
 /// One JSON object and a line break. The hashes are over the bytes of the .npy arrays' data, of the planes that the

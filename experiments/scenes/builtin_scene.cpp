@@ -1,10 +1,8 @@
 #include "experiments/scenes/builtin_scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/error.h"
-#include "experiments/option_values.h"
 
 namespace lode::experiments {
 namespace {
@@ -22,27 +20,6 @@ std::string names_of(std::span<const Named> list) {
 
 std::string_view name_part(std::string_view text) { return text.substr(0, text.find(':')); }
 
-void read_parameter(std::string_view scene, const BuiltinScene& builtin, std::string_view word, SceneValues& values) {
-  const std::size_t equals = word.find('=');
-  const std::string_view key = word.substr(0, equals);
-  const auto& known = builtin.parameters;
-  const auto parameter = std::find_if(known.begin(), known.end(), [&](const auto& p) { return p.name == key; });
-  if (equals == std::string_view::npos || parameter == known.end()) {
-    fail(scene, "\"" + shortened(word, 40) + "\": expected NAME=VALUE with one of " +
-                    names_of(std::span<const Parameter>(known)));
-  }
-  const std::string_view text = word.substr(equals + 1);
-  const std::optional<double> value = number_in(text);
-  const bool fits = value && *value >= parameter->low && *value <= parameter->high &&
-                    (!parameter->whole || *value == std::floor(*value));
-  if (!fits) {
-    fail(scene, parameter->name + ": expected a " + (parameter->whole ? "whole " : "") + "number " +
-                    number_text(parameter->low) + " to " + number_text(parameter->high) + ", found \"" +
-                    shortened(text, 40) + "\"");
-  }
-  values[parameter->name] = *value;
-}
-
 }  // namespace
 
 bool names_builtin_scene(std::string_view text) {
@@ -57,13 +34,10 @@ geometry::Scene make_builtin_scene(std::string_view text) {
   if (builtin == known.end()) {
     fail(text, "no such scene: expected a model file (.gltf, .glb, .obj, .ply, .stl) or one of " + names_of(known));
   }
-  SceneValues values;
-  for (const Parameter& p : builtin->parameters) values[p.name] = p.default_value;
-  if (name.size() < text.size()) {
-    for (const std::string_view word : split(text.substr(name.size() + 1), ',')) {
-      read_parameter(text, *builtin, word, values);
-    }
-  }
+  const std::string_view parameters = name.size() < text.size() ? text.substr(name.size() + 1) : std::string_view();
+  const bool with_empty_list = name.size() < text.size() && parameters.empty();
+  if (with_empty_list) fail(text, "expected NAME=VALUE after the colon");
+  const SceneValues values = read_parameters("scene " + shortened(text, 80), builtin->parameters, parameters);
   geometry::Scene scene = builtin->make(values);
   scene.name = text;
   return scene;

@@ -2,7 +2,6 @@
 /// Scenes that the program makes by itself, by name and parameters: "sphere:radius=2,segments=200".
 
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,8 +12,7 @@
 
 namespace lode::experiments {
 
-/// Values by parameter name: all of the scene's, checked.
-using SceneValues = std::map<std::string, double, std::less<>>;
+using SceneValues = ParameterValues;
 
 struct BuiltinScene {
   std::string name;

@@ -30,7 +30,7 @@ TEST(List, HasScenesTechniquesAndExperiments) {
   EXPECT_EQ(all["scenes"][0]["name"], "sphere");
   EXPECT_EQ(all["techniques"][0]["name"], "plain");
   EXPECT_TRUE(all["experiments"].is_array());
-  EXPECT_EQ(listed({"techniques"}).size(), 1u);
+  EXPECT_GE(listed({"techniques"}).size(), 1u);
 }
 
 TEST(List, ScenesTakeTheParametersThatAreListed) {

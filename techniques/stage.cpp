@@ -1,0 +1,161 @@
+#include "techniques/stage.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "raster/error.h"
+#include "techniques/scene_shader.h"
+
+namespace lode::techniques {
+namespace {
+
+/// Of a plate: the picture's corners in the order that Stage::plate takes them.
+constexpr glm::vec2 kPlateUvs[4] = {{0.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 1.0f}, {1.0f, 0.0f}};
+
+}  // namespace
+
+const char* name_of(Promise promise) {
+  using enum Promise;
+  switch (promise) {
+    case exact:
+      return "exact";
+    case conservative_sampled:
+      return "conservative, sampled";
+    case conservative_continuous:
+      return "conservative, continuous";
+    default:
+      return "approximate";
+  }
+}
+
+Stage::Stage(const World& world, const raster::RenderOptions& options)
+    : world_(world),
+      options_(options),
+      cutout_(scene_shader({.world_from_normal = glm::mat3(1.0f), .alpha_cutoff = 0.5})),
+      drawn_(world.objects().size(), 0) {
+  options_.memory = &memory_;
+  options_.per_draw = {};
+  options_.on_tile = {};
+}
+
+void Stage::begin(const View& view) {
+  view_ = view;
+  std::fill(drawn_.begin(), drawn_.end(), std::uint8_t{0});
+  plates_.clear();
+  draws_.clear();
+  released_.clear();
+  work_ = {};
+  times_.clear();
+}
+
+void Stage::object(ObjectId id) {
+  if (std::exchange(drawn_.at(id), std::uint8_t{1}) != 0) return;
+  ++work_.objects;
+  work_.primitives += world_.objects()[id].n_primitives;
+}
+
+void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge) {
+  const glm::dvec3 centre = 0.25 * (corners_world[0] + corners_world[1] + corners_world[2] + corners_world[3]);
+  Plate plate{.object = id, .picture = &this->picture(picture), .corners = {}, .centre_world = centre, .edge = edge};
+  for (std::size_t k = 0; k < 4; ++k) plate.corners[k] = glm::vec3(corners_world[k] - centre);
+  plates_.push_back(plate);
+  ++work_.plates;
+}
+
+PictureId Stage::capture(std::span<const ObjectId> objects, const geometry::Camera& camera, glm::ivec2 size_px) {
+  if (world_.color_space() == ColorSpace::raw) {
+    throw raster::Error(raster::ErrorKind::bad_input, "a captured picture: expected linear colours (srgb), found raw");
+  }
+  const glm::dmat4 clip_from_world = geometry::clip_from_world(camera, size_px);
+  std::vector<raster::Draw> draws;
+  for (const ObjectId id : objects) {
+    const WorldObject& object = world_.objects()[id];
+    for (std::uint32_t k = 0; k < object.n_instances; ++k) {
+      draws.push_back(world_.draws().draw(object.first_instance + k, clip_from_world));
+    }
+  }
+  raster::Image image =
+      raster::make_image(size_px, raster::ColorFormat::rgba32f, {.color = true, .depth = true, .ids = false});
+  raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, image, options_);
+
+  auto captured = std::make_unique<CapturedPicture>();
+  captured->camera = camera;
+  captured->texture = raster::make_linear_texture(size_px, image.rgba32f, raster::Mips::all);
+  captured->depth.assign(image.depth.begin(), image.depth.end());
+  ++work_.captures;
+  work_.captured_px += std::uint64_t(size_px.x) * std::uint64_t(size_px.y);
+  pictures_.emplace(next_picture_, std::move(captured));
+  return next_picture_++;
+}
+
+const CapturedPicture& Stage::picture(PictureId id) const {
+  const auto found = pictures_.find(id);
+  if (found == pictures_.end()) {
+    throw raster::Error(raster::ErrorKind::bad_input, "picture %u: expected one that is captured and not released", id);
+  }
+  return *found->second;
+}
+
+void Stage::release(PictureId id) {
+  const auto found = pictures_.find(id);
+  if (found == pictures_.end()) return;
+  released_.push_back(std::move(found->second));
+  pictures_.erase(found);
+}
+
+std::uint64_t Stage::picture_bytes() const {
+  std::uint64_t n = 0;
+  for (const auto& [id, picture] : pictures_) {
+    n += picture->depth.size() * sizeof(float);
+    for (const raster::TextureLevel& level : picture->texture.levels) n += level.linear.size() * sizeof(glm::vec4);
+  }
+  return n;
+}
+
+std::span<const raster::Draw> Stage::draws() {
+  const glm::dmat4 clip_from_world = geometry::clip_from_world(view_.camera, view_.size_px);
+  draws_.clear();
+  for (ObjectId id = 0; id < drawn_.size(); ++id) {
+    if (drawn_[id] == 0) continue;
+    const WorldObject& object = world_.objects()[id];
+    for (std::uint32_t k = 0; k < object.n_instances; ++k) {
+      draws_.push_back(world_.draws().draw(object.first_instance + k, clip_from_world));
+    }
+  }
+  if (plates_.empty()) return draws_;
+  for (const Plate& plate : plates_) draws_.push_back(plate_draw(plate, clip_from_world));
+  std::stable_sort(draws_.begin(), draws_.end(),
+                   [](const raster::Draw& a, const raster::Draw& b) { return *a.draw_id < *b.draw_id; });
+  return draws_;
+}
+
+raster::Draw Stage::plate_draw(const Plate& plate, const glm::dmat4& clip_from_world) const {
+  glm::dmat4 world_from_plate(1.0);
+  world_from_plate[3] = glm::dvec4(plate.centre_world, 1.0);
+  raster::Draw draw;
+  draw.topology = raster::Topology::quads;
+  draw.vertices = raster::ObjectVertices{plate.corners, clip_from_world * world_from_plate};
+  draw.uvs = kPlateUvs;
+  draw.texture = &plate.picture->texture;
+  draw.sampler = {.filter = raster::Filter::trilinear, .wrap_u = raster::Wrap::border, .wrap_v = raster::Wrap::border};
+  if (plate.edge == PlateEdge::cutout) {
+    draw.alpha_test = 0.5;
+    draw.shader = cutout_;
+  }
+  if (plate.edge == PlateEdge::blended) draw.blend = raster::Blend::over;
+  draw.draw_id = world_.objects()[plate.object].first_instance;
+  draw.primitive_id = kStandInPrimitive;
+  return draw;
+}
+
+void Stage::add_time(std::string_view part, std::chrono::steady_clock::duration time) {
+  const double ms = std::chrono::duration<double, std::milli>(time).count();
+  const auto known = std::find_if(times_.begin(), times_.end(), [&](const PartTime& t) { return t.part == part; });
+  if (known == times_.end()) {
+    times_.push_back({part, ms});
+  } else {
+    known->ms += ms;
+  }
+}
+
+}  // namespace lode::techniques

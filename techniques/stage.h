@@ -1,0 +1,140 @@
+#pragma once
+/// What a technique may do while it makes a frame. A stage gathers the draws of one frame after the other; whatever a
+/// technique does on it is counted, and the parts of its work that it names are timed.
+///
+/// A frame's draws come out in the order of the scene's instances, in whatever order they went in, so that leaving out
+/// what nobody sees moves no pixel: ties go to the lowest instance, and blended surfaces keep their order.
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "raster/frame.h"
+#include "raster/image.h"
+#include "raster/render.h"
+#include "techniques/technique.h"
+#include "techniques/world.h"
+
+namespace lode::techniques {
+
+/// The primitive of whatever is drawn in an object's place: its draw id is the object's first instance.
+inline constexpr std::uint32_t kStandInPrimitive = 0xFFFFFFFEu;
+
+using PictureId = std::uint32_t;
+
+/// A picture that was taken of objects: premultiplied colour with mips, and the depth of its level 0.
+struct CapturedPicture {
+  geometry::Camera camera;
+  raster::Texture texture;   ///< linear
+  std::vector<float> depth;  ///< [w · h] of the camera's depth range: 1 near, 0 where there is nothing
+  [[nodiscard]] glm::ivec2 size_px() const { return texture.levels.front().size_px; }
+};
+
+/// How a plate's picture meets what is behind it.
+enum class PlateEdge : std::uint8_t {
+  cutout,  ///< opaque where its alpha is at least one half, with depth: order-free
+  blended  ///< `over`, depth-tested, no depth written, in the order of the instances
+};
+
+/// What was done on the stage in one frame.
+struct StageWork {
+  std::uint64_t objects = 0;     ///< drawn as the scene has them
+  std::uint64_t primitives = 0;  ///< theirs
+  std::uint64_t plates = 0;
+  std::uint64_t captures = 0;
+  std::uint64_t captured_px = 0;
+};
+
+/// Milliseconds spent in a part of a technique's work in one frame.
+struct PartTime {
+  std::string_view part;
+  double ms;
+};
+
+class Stage {
+ public:
+  /// `options`: how pictures are captured (threads, target, pipeline). The world must outlive the stage.
+  explicit Stage(const World& world, const raster::RenderOptions& options = {});
+
+  // ---- For techniques ----
+  [[nodiscard]] const World& world() const { return world_; }
+  [[nodiscard]] int threads() const { return options_.threads; }
+  [[nodiscard]] const raster::RenderOptions& render_options() const { return options_; }
+
+  /// The object itself. More than once is once.
+  void object(ObjectId id);
+
+  /// A picture in an object's place.
+  ///   corners_world   upper left, lower left, lower right, upper right of the picture, in one plane
+  /// Throws raster::Error (bad_input) if there is no such picture.
+  void plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge);
+
+  /// Draws the objects alone, at once, on nothing, and keeps the picture until it is released.
+  ///   size_px   1…16384 a side
+  /// Throws raster::Error (bad_input: the size, or a world whose colours are raw; out_of_memory).
+  [[nodiscard]] PictureId capture(std::span<const ObjectId> objects, const geometry::Camera& camera,
+                                  glm::ivec2 size_px);
+  [[nodiscard]] const CapturedPicture& picture(PictureId id) const;
+  /// The frame being made may still show it; it goes when the next one begins.
+  void release(PictureId id);
+  [[nodiscard]] std::uint64_t picture_bytes() const;  ///< of all pictures that are kept
+
+  /// Times a part of the frame's work, as long as what it returns lives. The name must be a literal; the same name
+  /// adds up.
+  class PartTimer {
+   public:
+    PartTimer(Stage& stage, std::string_view part) : stage_(stage), part_(part) {}
+    ~PartTimer() { stage_.add_time(part_, std::chrono::steady_clock::now() - began_); }
+    PartTimer(const PartTimer&) = delete;
+    PartTimer& operator=(const PartTimer&) = delete;
+
+   private:
+    Stage& stage_;
+    std::string_view part_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  };
+  [[nodiscard]] PartTimer time(std::string_view part) { return {*this, part}; }
+
+  // ---- For those who run techniques ----
+  /// Forgets the last frame's draws, work and times.
+  void begin(const View& view);
+  /// The frame's draws so far; valid until the next call of anything here.
+  [[nodiscard]] std::span<const raster::Draw> draws();
+  [[nodiscard]] bool drawn(ObjectId id) const { return drawn_[id] != 0; }  ///< as itself
+  [[nodiscard]] const StageWork& work() const { return work_; }
+  [[nodiscard]] std::span<const PartTime> times() const { return times_; }
+
+ private:
+  struct Plate {
+    ObjectId object;
+    const CapturedPicture* picture;
+    std::array<glm::vec3, 4> corners;  ///< from the centre
+    glm::dvec3 centre_world;
+    PlateEdge edge;
+  };
+  void add_time(std::string_view part, std::chrono::steady_clock::duration time);
+  [[nodiscard]] raster::Draw plate_draw(const Plate& plate, const glm::dmat4& clip_from_world) const;
+
+  const World& world_;
+  raster::RenderOptions options_;
+  raster::FrameMemory memory_;  ///< of captures
+  raster::Shader cutout_;
+  View view_;
+  std::vector<std::uint8_t> drawn_;  ///< [objects]
+  std::vector<Plate> plates_;        ///< in the order in which they came
+  std::vector<raster::Draw> draws_;
+  std::map<PictureId, std::unique_ptr<CapturedPicture>> pictures_;
+  std::vector<std::unique_ptr<CapturedPicture>> released_;  ///< in this frame
+  PictureId next_picture_ = 0;
+  StageWork work_;
+  std::vector<PartTime> times_;
+};
+
+}  // namespace lode::techniques
