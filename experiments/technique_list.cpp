@@ -3,10 +3,34 @@
 #include "experiments/option_values.h"
 #include "geometry/shortened.h"
 #include "techniques/frustum_culling/frustum_culling.h"
+#include "techniques/hierarchical_z/hierarchical_z.h"
+#include "techniques/masked_occlusion/masked_occlusion.h"
 #include "techniques/plain/plain.h"
 
 namespace lode::experiments {
 namespace {
+
+/// Which objects are occluders: the same words for every culler.
+std::vector<Parameter> with_occluder_parameters(std::vector<Parameter> parameters) {
+  const techniques::OccluderRule rule;
+  parameters.push_back({"occluders", "objects that hide others: at most", 0, 1e6, double(rule.most), true});
+  parameters.push_back({"least_degree", "occluder degree of the last one", 0, 1, rule.least_degree});
+  parameters.push_back(
+      {"far", "distance at which the degree is 0; 0: the diagonal of scene and eye", 0, 1e9, rule.far});
+  return parameters;
+}
+
+techniques::OccluderRule occluder_rule(const ParameterValues& v) {
+  return {.least_degree = v.at("least_degree"), .most = int(v.at("occluders")), .far = v.at("far")};
+}
+
+AnyTechnique make_hierarchical_z(const ParameterValues& v) {
+  return AnyTechnique(techniques::HierarchicalZ({.occluders = occluder_rule(v), .scale = 1 << int(v.at("scale"))}));
+}
+
+AnyTechnique make_masked_occlusion(const ParameterValues& v) {
+  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v)}));
+}
 
 std::vector<TechniqueEntry> make_list() {
   return {
@@ -18,6 +42,12 @@ std::vector<TechniqueEntry> make_list() {
        "Objects whose box is outside the view are left out",
        {},
        [](const ParameterValues&) { return AnyTechnique(techniques::FrustumCulling{}); }},
+      {"hierarchical_z", "Objects whose box is behind a pyramid of the occluders' depth are left out",
+       with_occluder_parameters({choice_parameter("scale", "side of the finest texels looked at, px",
+                                                  {"1", "2", "4", "8", "16", "32", "64"}, 0)}),
+       make_hierarchical_z},
+      {"masked_occlusion", "Objects whose box is behind a masked depth buffer of the occluders' triangles are left out",
+       with_occluder_parameters({}), make_masked_occlusion},
   };
 }
 
