@@ -16,7 +16,7 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
   const auto box_of = [&](ObjectId id) {
     return screen_box(clip_from_world, view.size_px, world.objects()[id].bounds);
   };
-  std::uint64_t n_hidden = 0, n_read = 0;
+  std::uint64_t n_hidden = 0;
   OccluderWork work;
   {
     // Best first, so that the buffer so far can spare the next ones.
@@ -24,7 +24,7 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
     buffer_.begin(view.size_px);
     for (const ObjectId id : occluders) {
       const std::optional<ScreenBox> box = box_of(id);
-      if (box && buffer_.hides(*box, n_read)) {
+      if (box && buffer_.hides(*box, work.subtiles_read)) {
         ++n_hidden;
         continue;
       }
@@ -41,7 +41,7 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
   for (const ObjectId id : inside) {
     const std::optional<ScreenBox> box = box_of(id);
     if (box) ++n_tested;
-    if (box && buffer_.hides(*box, n_read)) {
+    if (box && buffer_.hides(*box, work.subtiles_read)) {
       ++n_culled;
     } else {
       stage.object(id);
@@ -54,8 +54,8 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
           {"occluders_hidden", n_hidden},
           {"triangles", work.triangles},
           {"triangles_drawn", work.drawn},
-          {"subtiles_written", work.subtiles},
-          {"subtiles_read", n_read}};
+          {"subtiles_written", work.subtiles_written},
+          {"subtiles_read", work.subtiles_read}};
 }
 
 }  // namespace lode::techniques
