@@ -136,7 +136,10 @@ void check(const Camera& camera) {
   if (!perspective && !(camera.height > 0.0 && std::isfinite(camera.height))) fail("height: expected a number above 0");
   if (!std::isfinite(camera.near) || (perspective && !(camera.near > 0.0))) fail("near: expected a number above 0");
   if (!perspective && std::isinf(camera.far)) fail("far: expected a finite number for an orthographic view");
-  if (!(camera.far > camera.near)) fail("far: expected a number above near");
+  if (!(camera.far > camera.near)) {
+    fail("far: expected a number above near, which is " + std::to_string(camera.near) + ", found " +
+         std::to_string(camera.far));
+  }
 }
 
 }  // namespace lode::geometry

@@ -12,6 +12,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/camera.h"
+#include "geometry/camera_path.h"
 #include "geometry/material.h"
 #include "geometry/mesh.h"
 
@@ -55,6 +56,8 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<SceneObject> objects;  ///< none, or every instance once, in order; see objects_of()
   std::vector<SceneCamera> cameras;  ///< in the order of their nodes
+  std::vector<CameraPath> paths;     ///< walks through it, the main one first
+  std::vector<Bounds> free_space;    ///< boxes of air to look around from, apart from each other; see viewpoints.h
 
   /// Of every indexed vertex of every instance, in the world.
   [[nodiscard]] Bounds bounds() const;

@@ -245,6 +245,12 @@ class Builder {
     return true;
   }
 
+  /// The greatest float that is not above x ≥ 0.
+  static float float_below(double x) {
+    const auto nearest = float(std::min(x, double(std::numeric_limits<float>::max())));
+    return double(nearest) > x ? std::nextafter(nearest, 0.0f) : nearest;
+  }
+
   /// The mean normal and the farthest from it. A triangle two of whose corners are the same never has a sample, and
   /// does not count; one whose corners lie on a line may get one from rounding, and faces anywhere.
   [[nodiscard]] Cone cone_of(std::span<const std::uint32_t> corners) const {
@@ -264,7 +270,7 @@ class Builder {
     }
     const double length = std::sqrt(glm::dot(sum, sum));
     if (!(length > 0.0)) return {};
-    Cone cone{glm::vec3(sum / length), 1.0f, float(0.999 * shortest)};
+    Cone cone{glm::vec3(sum / length), 1.0f, float_below(0.999 * shortest)};
     double least = 1.0;
     for (std::size_t i = 0; i < n; ++i) least = std::min(least, glm::dot(normals[i], glm::dvec3(cone.axis)));
     cone.cos = float(least) - 1e-5f;  // rounded down, whatever rounding there was

@@ -4,6 +4,7 @@ namespace lode::raster {
 
 FrameStats& FrameStats::operator+=(const FrameStats& o) {
   draws_in += o.draws_in;
+  draws_culled_frustum += o.draws_culled_frustum;
   draws_ordered += o.draws_ordered;
   primitives_in += o.primitives_in;
   primitives_not_finite += o.primitives_not_finite;

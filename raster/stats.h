@@ -1,6 +1,6 @@
 #pragma once
-/// Deterministic work counters of one render: the same for any number of threads. What they count is part of
-/// the tests, so that skipped work cannot hide in a noisy clock.
+/// Deterministic work counters of one render: the same for any number of threads and any instruction set. What they
+/// count is part of the tests, so that skipped work cannot hide in a noisy clock.
 
 #include <cstdint>
 
@@ -8,6 +8,7 @@ namespace lode::raster {
 
 struct FrameStats {
   std::uint64_t draws_in = 0;
+  std::uint64_t draws_culled_frustum = 0;   ///< clustered ones whose box is not in the view
   std::uint64_t draws_ordered = 0;          ///< those that run in submission order after the order-free ones
   std::uint64_t primitives_in = 0;          ///< a quad is two: its triangles
   std::uint64_t primitives_not_finite = 0;  ///< discarded: a NaN in a vertex
@@ -16,26 +17,30 @@ struct FrameStats {
   std::uint64_t primitives_empty = 0;       ///< zero area after the snap, radius ≤ 0, no length
   std::uint64_t primitives_clipped = 0;     ///< cut by at least one plane
   // Of the fast pipeline's clusters, tile by tile: a box that touches two tiles counts twice.
-  std::uint64_t boxes_tested = 0;           ///< of clusters and of groups of them
-  std::uint64_t boxes_outside = 0;          ///< not in the view, or not in the tile
-  std::uint64_t boxes_facing = 0;           ///< all triangles face away
-  std::uint64_t boxes_hidden = 0;           ///< behind what was drawn already
+  std::uint64_t boxes_tested = 0;   ///< of clusters and of groups of them
+  std::uint64_t boxes_outside = 0;  ///< not in the view, or not in the tile
+  std::uint64_t boxes_facing = 0;   ///< all triangles face away
+  std::uint64_t boxes_hidden = 0;   ///< behind what was drawn already
   std::uint64_t clusters_drawn = 0;
-  std::uint64_t triangles_in = 0;           ///< of those clusters
+  std::uint64_t triangles_in = 0;  ///< of those clusters
   std::uint64_t triangles_without_sample = 0;
   std::uint64_t triangles_facing = 0;
   std::uint64_t triangles_empty = 0;
-  std::uint64_t triangles_rasterized = 0;   ///< pieces among them
-  std::uint64_t blocks_touched = 0;         ///< 4×4 of triangles up to 64 px, 8×8 of larger ones
-  std::uint64_t blocks_outside = 0;         ///< in a triangle's box, but not in the triangle
+  std::uint64_t triangles_rasterized = 0;  ///< pieces among them
+  std::uint64_t blocks_touched = 0;        ///< 4×4 of triangles up to 64 px, 8×8 of larger ones
+  std::uint64_t blocks_outside = 0;        ///< in a triangle's box, but not in the triangle
   std::uint64_t blocks_hidden = 0;
 
-  std::uint64_t pieces = 0;                 ///< triangles, lines, … left after culling and clipping, in the target or beside it
-  std::uint64_t tiles = 0;                  ///< tiles that the bounds of any piece, or of a clustered draw, touch
-  std::uint64_t fragments_covered = 0;      ///< samples inside a primitive and the scissor
+  std::uint64_t pieces = 0;  ///< triangles, lines, … left after culling and clipping, in the target or beside it
+  std::uint64_t tiles = 0;   ///< tiles that the bounds of any piece, or of a clustered draw, touch
+  /// Samples inside a primitive and the scissor; those of skipped blocks, and of a triangle up to 64 px those behind
+  /// what was nearer than all of it, are not looked at and not counted.
+  std::uint64_t fragments_covered = 0;
   std::uint64_t fragments_alpha_failed = 0;
+  /// Covered, but something nearer was there. Of clustered draws, also those that something nearer came over later:
+  /// all but one a sample.
   std::uint64_t fragments_depth_failed = 0;
-  std::uint64_t fragments_shaded = 0;       ///< shader results computed, alpha tests included
+  std::uint64_t fragments_shaded = 0;  ///< shader results computed, alpha tests included
   std::uint64_t fragments_blended = 0;
   std::uint64_t texels_read = 0;
 
@@ -46,6 +51,7 @@ struct FrameStats {
 template <class Visit>
 void for_each_counter(const FrameStats& s, Visit visit) {
   visit("draws_in", s.draws_in);
+  visit("draws_culled_frustum", s.draws_culled_frustum);
   visit("draws_ordered", s.draws_ordered);
   visit("primitives_in", s.primitives_in);
   visit("primitives_not_finite", s.primitives_not_finite);

@@ -17,7 +17,9 @@ struct CompareOptions {
   std::vector<std::string> fail_if;  ///< "METRIC<VALUE", "METRIC>VALUE"
 };
 
-/// Prints one JSON object; check_failed if any condition holds. Throws Error or geometry::Error.
-[[nodiscard]] Status compare(const CompareOptions& options, const Streams& streams);
+/// Prints one JSON object; check_failed if any condition holds. The map is FLIP's (or HDR-FLIP's) in the colours of
+/// magma if that is the only metric asked for, else one of differences by channel. `threads`: 0 is one per processor.
+/// Throws Error or geometry::Error.
+[[nodiscard]] Status compare(const CompareOptions& options, int threads, const Streams& streams);
 
 }  // namespace lode::experiments

@@ -40,12 +40,14 @@ StoredPicture read_array(const std::string& path) {
   };
   const bool sized =
       shape.size() >= 2 && shape[0] <= raster::kMaxTargetSize_px && shape[1] <= raster::kMaxTargetSize_px;
-  StoredPicture picture{.path = path, .plane = {}};
+  StoredPicture picture{.path = path, .plane = {}, .linear = {}};
   if (sized) picture.size_px = {int(shape[1]), int(shape[0])};
   if (sized && is("|u1", 3, 4)) {
     picture.plane = elements_of<glm::u8vec4>(array);
   } else if (sized && is("<f4", 3, 4)) {
-    picture.plane = encoded(elements_of<glm::vec4>(array));
+    picture.is_linear = true;
+    picture.linear = elements_of<glm::vec4>(array);
+    picture.plane = encoded(picture.linear);
   } else if (sized && is("<f4", 2, 0)) {
     picture.plane = elements_of<float>(array);
   } else if (sized && is("<u4", 3, 2)) {
@@ -72,7 +74,7 @@ StoredPicture read_stored_picture(const std::string& path) {
     throw Error(Status::bad_input, path + ": expected a PNG, JPEG or .npy file to compare");
   }
   geometry::Picture picture = geometry::read_picture(path);
-  return {path, picture.size_px, std::move(picture.texels)};
+  return {.path = path, .size_px = picture.size_px, .plane = std::move(picture.texels), .linear = {}};
 }
 
 }  // namespace lode::experiments

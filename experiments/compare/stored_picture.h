@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,6 +19,8 @@ struct StoredPicture {
   std::string path;
   glm::ivec2 size_px{0, 0};
   std::variant<ColorPlane, DepthPlane, IdPlane> plane;
+  bool is_linear = false;         ///< colour that was read as floats:
+  std::vector<glm::vec4> linear;  ///< [w*h] those, premultiplied; else empty
 };
 
 /// "colour", "depth", "ids".

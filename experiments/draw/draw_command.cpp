@@ -30,7 +30,9 @@ constexpr const char* kFooter =
 
 void add_options(CLI::App& app, DrawOptions& draw) {
   app.add_option("PICTURE", draw.picture, "The picture's JSON; - is standard input")->required();
-  add_output_options(app, draw.outputs, "Samples covered and visible, counters and hashes, as JSON to F (- is stdout)");
+  add_output_options(app, draw.outputs,
+                     "Samples covered and visible (counted by drawing once more, by the reference), counters and "
+                     "hashes, as JSON to F (- is stdout)");
   app.add_flag("--print", draw.print, "The picture as text: a letter per draw, '.' for nothing");
 }
 

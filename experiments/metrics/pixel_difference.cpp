@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "geometry/exponential.h"
+
 namespace lode::experiments {
 
 PixelDifference pixel_difference(const PicturePair& pair) {
@@ -28,7 +30,8 @@ double rmse(const PixelDifference& d) {
 
 std::optional<double> psnr(const PixelDifference& d) {
   if (d.sum_squared == 0) return std::nullopt;
-  return 10.0 * std::log10(255.0 * 255.0 * double(d.n_values) / double(d.sum_squared));
+  constexpr double kLog10Of2 = 0.30102999566398120;
+  return 10.0 * kLog10Of2 * geometry::log2_of(255.0 * 255.0 * double(d.n_values) / double(d.sum_squared));
 }
 
 }  // namespace lode::experiments

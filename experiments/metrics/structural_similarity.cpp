@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
+
+#include "geometry/exponential.h"
 
 namespace lode::experiments {
 namespace {
@@ -105,7 +106,7 @@ double ms_ssim_of(Planes planes) {
   double product = 1.0;
   for (int scale = 0; scale < 5; ++scale) {
     const Similarity s = similarity(planes);
-    product *= std::pow(std::max(scale < 4 ? s.contrast_structure : s.ssim, 0.0), kWeights[scale]);
+    product *= geometry::power(std::max(scale < 4 ? s.contrast_structure : s.ssim, 0.0), kWeights[scale]);
     planes.a = halved(planes.a, planes.width, planes.height);
     planes.b = halved(planes.b, planes.width, planes.height);
     planes.width /= 2;

@@ -1,6 +1,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "experiments/scenes/builtin_scene.h"
+#include "experiments/scenes/laboratory_scenes.h"
 #include "geometry/procedural.h"
 #include "geometry/random.h"
 
@@ -116,7 +117,7 @@ std::vector<BuiltinScene> make_list() {
   };
   const auto coordinate = [](const char* name) { return Parameter{name, "of the centre", -1e9, 1e9, 0}; };
   const Parameter checks = {"checks", "squares along a side of the texture", 1, 256, 16, true};
-  return {
+  std::vector<BuiltinScene> list = {
       {"sphere",
        "A ball's surface, 2 segments (rings - 1) triangles",
        {radius("radius", "of the ball", 1),
@@ -154,6 +155,8 @@ std::vector<BuiltinScene> make_list() {
        {{"cutoff", "of the masked ones", 0, 1, 0.5}, {"checks", checks.meaning, 1, 256, 4, true}},
        make_alpha},
   };
+  for (BuiltinScene& scene : laboratory_scenes()) list.push_back(std::move(scene));
+  return list;
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ HWY_INLINE DoubleMask FacingAway(const DrawView& v, const ClusterGroup& g, std::
   const auto slack = hn::Mul(hn::Set(d, 1e-5), hn::Add(hn::Sqrt(squared), radius));
   const auto least_normal = hn::PromoteTo(d, hn::LoadU(f, g.least_normal + first));
   const auto determinant = hn::Mul(least_normal, hn::Sub(hn::Zero(d), hn::Add(most, slack)));
-  return hn::And(hn::Gt(cosine, hn::Zero(d)), hn::Gt(determinant, hn::Mul(hn::Set(d, 0x1p-46), magnitudes)));
+  const auto precise = hn::And(hn::Gt(cosine, hn::Zero(d)), hn::Gt(squared, hn::Set(d, 0x1p-960)));
+  return hn::And(precise, hn::Gt(determinant, hn::Mul(hn::Set(d, 0x1p-46), magnitudes)));
 }
 
 void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::PixelBox& window, const Skips& skips,
@@ -152,7 +153,7 @@ void LookAtSome(const DrawView& v, const ClusterGroup& g, const reference::Pixel
   const auto nearest = hn::Min(one, hn::Mul(MostOf(depth), hn::Set(d, 1.0 + 0x1p-20)));
 
   auto facing = hn::Lt(zero, zero);
-  if (v.cull != Cull::none && skips.facing) {
+  if (v.cull != Cull::none && v.boxes_may_face && skips.facing) {
     facing = FacingAway(v, g, first, b, hn::Mul(hn::Mul(x.magnitude, y.magnitude), w.magnitude));
   }
   if (!skips.frustum) outside = hn::Lt(zero, zero);

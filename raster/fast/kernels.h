@@ -32,6 +32,7 @@ struct DrawView {
   std::array<double, 16> clip_from_object{};  ///< rows
   glm::dvec2 centre_fx8{0.0}, half_fx8{0.0};  ///< viewport
   Cull cull = Cull::none;
+  bool boxes_may_face = true;  ///< false where the numbers below may have lost their precision
   /// det(x, y, w) of a triangle's corners in clip space is n · (eye − eye_w · p), n = (b − a) × (c − a), p any of them.
   glm::dvec3 eye{0.0};
   double eye_w = 0.0;
@@ -72,7 +73,12 @@ struct TileBuffers {
 /// What the kernels of one tile did and did not do.
 struct RasterCounts {
   std::uint64_t triangles_in = 0, facing = 0, empty = 0, no_sample = 0, tiny = 0, medium = 0, large = 0;
-  std::uint64_t blocks = 0, blocks_outside = 0, blocks_hidden = 0, fragments = 0, fragments_passed = 0;
+  std::uint64_t blocks = 0, blocks_outside = 0, blocks_hidden = 0, fragments = 0;
+  std::uint64_t fragments_passed = 0;  ///< nearer when they came; their order depends on the number of lanes
+  std::uint64_t fragments_new = 0;     ///< where nothing was
+  /// Those that do not count as failed. Of clusters, whose order is nobody's business, the new ones: that of all that
+  /// cover a sample one is seen does not depend on the order. Of others, those that passed.
+  std::uint64_t fragments_kept = 0;
 };
 
 /// Marks of a triangle: it has won a sample, though it may have lost it since; it owns one in the end; it has been
@@ -140,10 +146,10 @@ inline constexpr float kRecordError = 0x1p-19f;
 
 /// What colour records of a cluster are made from.
 struct RecordJob {
-  const std::uint8_t* corners = nullptr;         ///< [3 · 128] of the cluster
-  const WindowVertices128* vertices = nullptr;   ///< of the cluster
-  const std::uint32_t* mesh_vertices = nullptr;  ///< of the cluster
-  const float* colors = nullptr;                 ///< [4 · mesh vertices]
+  const std::uint8_t* corners = nullptr;               ///< [3 · 128] of the cluster
+  const WindowVertices128* vertices = nullptr;         ///< of the cluster
+  const std::uint32_t* mesh_vertices = nullptr;        ///< of the cluster
+  const float* colors = nullptr;                       ///< [4 · mesh vertices]
   std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};  ///< the draw's colour, of 1
   bool scaled = false;
   int sample_x_fx8 = 128, sample_y_fx8 = 128;

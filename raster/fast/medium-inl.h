@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "raster/fast/kernels.h"
 
@@ -25,7 +26,7 @@ namespace HWY_NAMESPACE {
 /// A 4×4's old depths and owners against a triangle's new ones: writes the nearer; returns how many.
 template <class Mask>
 HWY_INLINE int KeepNearer(const RasterJob& job, TileBuffers& tile, int place, Mask covered, hn::Vec<Floats> z,
-                          std::uint32_t owner) {
+                          std::uint32_t owner, RasterCounts& counts) {
   const Floats f;
   const hn::RebindToUnsigned<Floats> u;
   const auto old = hn::Load(f, tile.depth + place);
@@ -41,6 +42,7 @@ HWY_INLINE int KeepNearer(const RasterJob& job, TileBuffers& tile, int place, Ma
   }
   const auto n = hn::CountTrue(f, wins);
   if (n == 0) return 0;
+  counts.fragments_new += hn::CountTrue(f, hn::And(covered, hn::Lt(old, hn::Zero(f))));
   hn::Store(hn::IfThenElse(wins, z, old), f, tile.depth + place);
   hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), hn::Set(u, owner), hn::Load(u, tile.owner + place)), u,
             tile.owner + place);
@@ -78,7 +80,7 @@ struct MediumLanes {
   alignas(64) std::int32_t edge[3][16];
   alignas(64) double depth[16];
   hn::Vec<Doubles> error;
-  hn::Vec<Floats> z_most;
+  hn::Vec<Floats> z_most;  ///< of the whole triangle; what is nearer need not be looked at
   bool ragged;
 };
 
@@ -93,24 +95,25 @@ HWY_INLINE int DrawMediumBlock(const RasterJob& job, const MediumTriangle& t, co
   const auto z_block = hn::Set(d, z);
   int passed = 0;
   for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
-    // Nothing to do where all is nearer than the whole triangle.
-    if (hn::AllTrue(f, hn::Gt(hn::Load(f, tile.depth + place + l), lanes.z_most)) && job.skips.blocks) continue;
+    // Nothing to do where what is there is nearer than the whole triangle.
+    const auto hidden = hn::Gt(hn::Load(f, tile.depth + place + l), lanes.z_most);
+    if (hn::AllTrue(f, hidden)) continue;
     const auto signs = hn::Or(hn::Or(hn::Add(hn::Set(di, edges[0]), hn::Load(di, lanes.edge[0] + l)),
                                      hn::Add(hn::Set(di, edges[1]), hn::Load(di, lanes.edge[1] + l))),
                               hn::Add(hn::Set(di, edges[2]), hn::Load(di, lanes.edge[2] + l)));
     auto inside = hn::Gt(signs, hn::Set(di, -1));
     if (lanes.ragged) {
       const auto lx = hn::Load(di, kLaneX + l), ly = hn::Load(di, kLaneY + l);
-      inside = hn::And(inside, hn::And(hn::Gt(lx, hn::Set(di, t.begin_x - x_px - 1)),
-                                       hn::Lt(lx, hn::Set(di, t.end_x - x_px))));
-      inside = hn::And(inside, hn::And(hn::Gt(ly, hn::Set(di, t.begin_y - y_px - 1)),
-                                       hn::Lt(ly, hn::Set(di, t.end_y - y_px))));
+      inside = hn::And(inside,
+                       hn::And(hn::Gt(lx, hn::Set(di, t.begin_x - x_px - 1)), hn::Lt(lx, hn::Set(di, t.end_x - x_px))));
+      inside = hn::And(inside,
+                       hn::And(hn::Gt(ly, hn::Set(di, t.begin_y - y_px - 1)), hn::Lt(ly, hn::Set(di, t.end_y - y_px))));
     }
     if (hn::AllFalse(di, inside)) continue;
-    counts.fragments += hn::CountTrue(di, inside);
+    // Sample by sample, so that the count is the same however many are looked at together.
+    counts.fragments += hn::CountTrue(f, hn::AndNot(hidden, hn::RebindMask(f, inside)));
     const RoundedDepths first = RoundBoth(hn::Add(z_block, hn::Load(d, lanes.depth + l)), lanes.error);
-    const RoundedDepths second =
-        RoundBoth(hn::Add(z_block, hn::Load(d, lanes.depth + l + hn::Lanes(d))), lanes.error);
+    const RoundedDepths second = RoundBoth(hn::Add(z_block, hn::Load(d, lanes.depth + l + hn::Lanes(d))), lanes.error);
     auto depth = BothHalves(f, first.low, second.low);
     const auto covered = hn::RebindMask(f, inside);
     const auto doubt = hn::And(covered, hn::Ne(depth, BothHalves(f, first.high, second.high)));
@@ -120,7 +123,7 @@ HWY_INLINE int DrawMediumBlock(const RasterJob& job, const MediumTriangle& t, co
       FixDepths(job, t, x_px, y_px, l, BitsOf(f, doubt), depths);
       depth = hn::Load(f, depths);
     }
-    passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);
+    passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner, counts);
   }
   if (passed) tile.written[place >> 6] = kStale | kTouched;
   return passed;
@@ -138,7 +141,8 @@ int WalkBlocks(const RasterJob& job, const MediumSetups& setups, int lane_of_set
   MediumLanes lanes;
   lanes.ragged = ((job.begin_x | job.begin_y | job.end_x | job.end_y) & 3) != 0;
   lanes.error = hn::Set(d, setups.planes.error[s]);
-  lanes.z_most = hn::Set(Floats(), float(std::max({t.cz[0], t.cz[1], t.cz[2]})));
+  const double z_most = std::max({t.cz[0], t.cz[1], t.cz[2]});
+  lanes.z_most = hn::Set(Floats(), job.skips.blocks ? float(z_most) : std::numeric_limits<float>::infinity());
   std::int32_t most[3];  // what the best sample of a block adds to its first
   for (int k = 0; k < 3; ++k) {
     const std::int32_t x = setups.right[k][s], y = setups.down[k][s];

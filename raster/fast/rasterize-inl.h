@@ -57,8 +57,10 @@ bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
   Sift(job, counts, sifted);
   counts.tiny += std::uint64_t(sifted.flat.n + sifted.tall.n + sifted.tower.n);
   counts.medium += std::uint64_t(sifted.medium.n);
+  const std::uint64_t new_before = counts.fragments_new;
   int passed = 0;
-  for (const TriangleList* list : {&sifted.flat, &sifted.tall, &sifted.tower}) passed += RasterizeTiny(job, *list, tile, counts);
+  for (const TriangleList* list : {&sifted.flat, &sifted.tall, &sifted.tower})
+    passed += RasterizeTiny(job, *list, tile, counts);
   passed += RasterizeMedium(job, sifted.medium, tile, counts);
   for (int i = 0; i < sifted.n_others; ++i) {
     LoneTriangle lone;
@@ -69,6 +71,7 @@ bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
     passed += won;
   }
   counts.fragments_passed += std::uint64_t(passed);
+  counts.fragments_kept += counts.fragments_new - new_before;
   return passed > 0;
 }
 
@@ -76,6 +79,7 @@ bool RasterizeLone(const RasterJob& job, const LoneTriangle& triangle, TileBuffe
   ++counts.large;
   const int passed = RasterizeLarge(job, triangle, tile, counts);
   counts.fragments_passed += std::uint64_t(passed);
+  counts.fragments_kept += std::uint64_t(passed);
   return passed > 0;
 }
 

@@ -39,6 +39,12 @@ void set_eye(DrawView& view) {
   view.eye_w = -minor(3);
 }
 
+/// Whether products of three of the elements, times an object's coordinates, are far from overflow and underflow.
+bool is_moderate(const std::array<double, 16>& m) {
+  return std::all_of(m.begin(), m.end(),
+                     [](double v) { return v == 0.0 || (std::fabs(v) >= 0x1p-150 && std::fabs(v) <= 0x1p150); });
+}
+
 DrawView make_view(const Frame& frame, const Draw& draw, glm::ivec2 target_size_px) {
   DrawView view;
   const glm::dmat4& m = std::get<ObjectVertices>(draw.vertices).clip_from_object;
@@ -49,6 +55,7 @@ DrawView make_view(const Frame& frame, const Draw& draw, glm::ivec2 target_size_
   view.centre_fx8 = viewport.centre_fx8;
   view.half_fx8 = viewport.half_fx8;
   view.cull = draw.cull;
+  view.boxes_may_face = is_moderate(view.clip_from_object);
   set_eye(view);
   return view;
 }
@@ -174,7 +181,9 @@ void add_draw(std::uint32_t d, ColorFormat format, int threads, Scene& scene) {
   set_colors(draw, format, fast);
   ++scene.stats.draws_in;
   look_at_draw(scene, fast);
-  if (!fast.pixels.empty()) {
+  if (fast.pixels.empty()) {
+    ++scene.stats.draws_culled_frustum;
+  } else {
     const auto viewport = reference::make_viewport(scene.frame->viewport.value_or(Rect{{0, 0}, scene.size_px}));
     find_unclean(scene, fast, viewport, 0);
   }

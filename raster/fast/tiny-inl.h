@@ -55,8 +55,8 @@ HWY_INLINE I PlacesOf(I x, I y) {
 
 /// Keeps the nearest. Written without branches, as which one wins is hard to guess: depths are compared as the whole
 /// numbers of their bits, whose order is the same from 0 on, with −1 below.
-HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffers& tile) {
-  std::uint32_t passed = 0;
+HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffers& tile, RasterCounts& counts) {
+  std::uint32_t passed = 0, fresh = 0;
   for (int i = 0; i < fragments.n; ++i) {
     const std::int32_t place = fragments.place[i];
     std::uint32_t& owner = tile.owner[place];
@@ -72,7 +72,9 @@ HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffe
     tile.written[place >> 6] = kStale | kTouched;
     job.marks[new_owner - job.first_owner] |= std::uint8_t(wins);
     passed += wins;
+    fresh += std::uint32_t(old_depth) >> 31;
   }
+  counts.fragments_new += fresh;
   return int(passed);
 }
 static_assert(kWon == 1);
@@ -163,7 +165,7 @@ int RasterizeTiny(const RasterJob& job, const TriangleList& list, TileBuffers& t
       }
     }
     counts.fragments += std::uint64_t(fragments.n);
-    passed += Merge(job, fragments, tile);
+    passed += Merge(job, fragments, tile, counts);
   }
   return passed;
 }

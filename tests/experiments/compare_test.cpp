@@ -51,7 +51,9 @@ TEST_F(Compare, PrintsTheMetricsOfTwoPictures) {
   EXPECT_NEAR(m["psnr"], 20.0 * std::log10(255.0 / m["rmse"].get<double>()), 1e-12);
   EXPECT_LT(m["ssim"], 1.0);
   EXPECT_TRUE(m["ms-ssim"].is_null());
-  EXPECT_EQ(m.size(), 6u);
+  EXPECT_GT(m["flip"], 15.0 / 132.0);  // the eye's blur carries a difference beyond its pixels
+  EXPECT_LT(m["flip"], 1.0);
+  EXPECT_EQ(m.size(), 7u);
 }
 
 TEST_F(Compare, ArraysAndFilesOfOnePictureAreEqual) {
@@ -95,6 +97,50 @@ TEST_F(Compare, TheMapIsBlackWhereThePicturesAreEqual) {
   EXPECT_EQ(metrics("map.png", "expected.png")["max"], 0);
 }
 
+TEST_F(Compare, TheMapOfFlipAloneIsItsErrorsInMagma) {
+  // Magma begins with (0, 0, 4): equal pictures are all of it. The eye's blur shows the triangle beyond its 15 pixels.
+  ASSERT_EQ(compare("a.png", "b.png", {"--metrics", "flip", "--map", path("map.png")}).status, 0);
+  const std::string json = R"({"size": [12, 11], "clear": [0, 0, 4, 255], "draws": []})";
+  ASSERT_EQ(run_lodestone({"draw", "-", "--out", path("nothing.png")}, json).status, 0);
+  ASSERT_EQ(compare("a.png", "a.npy", {"--metrics", "flip", "--map", path("none.png")}).status, 0);
+  EXPECT_EQ(metrics("none.png", "nothing.png")["max"], 0);
+  EXPECT_GT(metrics("map.png", "nothing.png")["differing"], 15);
+  // With another metric beside it, the map shows differences by channel.
+  ASSERT_EQ(compare("a.png", "a.npy", {"--metrics", "flip,max", "--map", path("black.png")}).status, 0);
+  EXPECT_EQ(metrics("black.png", "nothing.png")["max"], 4);
+}
+
+TEST_F(Compare, HdrFlipIsOfLinearArraysAndOnlyByName) {
+  for (const char* clear : {"0.2,0.4,0.6,1", "0.2,0.4,0.5,1"}) {
+    const std::string out = path(clear[10] == '6' ? "p.npy" : "q.npy");
+    ASSERT_EQ(run_lodestone({"render", "cube", "--size", "12x11", "--clear", clear, "--out", out}).status, 0);
+  }
+  EXPECT_FALSE(metrics("p.npy", "q.npy").contains("hdr-flip"));
+  EXPECT_GT(metrics("p.npy", "q.npy", {"--metrics", "hdr-flip", "--map", path("map.png")})["hdr-flip"], 0.0);
+  EXPECT_EQ(compare("p.npy", "p.npy", {"--metrics", "hdr-flip"}).out, "{\"hdr-flip\":0.0}\n");
+  EXPECT_EQ(compare("p.npy", "q.npy", {"--fail-if", "hdr-flip>0"}).status, 1);
+  const Outcome run = compare("p.npy", "a.png", {"--metrics", "hdr-flip"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("a.png: colour of 8 bits has no hdr-flip"));
+}
+
+TEST_F(Compare, HdrFlipOfColorsThatAreNotFiniteIsNullAndHasNoMap) {
+  const Arguments render = {"render", "cube", "--size", "12x11", "--clear", "0.2,0.4,0.6,1", "--out", path("p.npy")};
+  ASSERT_EQ(run_lodestone(render).status, 0);
+  std::string bytes = file_text(path("p.npy"));
+  bytes.replace(bytes.size() - 16, 4, std::string("\0\0\x80\x7f", 4));  // the last pixel's red: infinity
+  write_text(path("q.npy"), bytes);
+  EXPECT_EQ(compare("p.npy", "q.npy", {"--metrics", "hdr-flip"}).out, "{\"hdr-flip\":null}\n");
+  for (const Arguments& more : {Arguments{"--map", path("map.png")}, Arguments{"--fail-if", "hdr-flip>0"}}) {
+    Arguments arguments = {"--metrics", "hdr-flip"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = compare("p.npy", "q.npy", arguments);
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("finite"));
+  }
+}
+
 TEST_F(Compare, LinearPicturesAreComparedAsTheyWouldBeStored) {
   const Arguments scene = {"render", "cube", "--size", "12x11", "--clear", "0.2,0.4,0.6,0.5", "--out"};
   for (const char* name : {"linear.npy", "stored.png"}) {
@@ -131,8 +177,8 @@ TEST_F(Compare, WhatCannotBeMeantIsWrongUsage) {
     EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
     EXPECT_THAT(run.err, HasSubstr(message));
   };
-  expect_wrong({"--metrics", "flip"},
-               "--metrics: expected max, differing, rmse, psnr, ssim or ms-ssim, found \"flip\"");
+  expect_wrong({"--metrics", "flop"},
+               "--metrics: expected max, differing, rmse, psnr, ssim, ms-ssim, flip or hdr-flip, found \"flop\"");
   expect_wrong({"--metrics", ""}, "--metrics: expected");
   expect_wrong({"--fail-if", "max=3"}, "--fail-if: expected METRIC<VALUE or METRIC>VALUE, found \"max=3\"");
   expect_wrong({"--fail-if", "max>"}, "--fail-if: expected METRIC<VALUE");

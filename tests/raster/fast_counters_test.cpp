@@ -84,7 +84,7 @@ TEST(FastCounters, AMeshOutsideTheViewIsNotLookedInto) {
   CounterScene scene;
   scene.grids({{400, 20}, {300, 60}}, 4.0f, 0.5f);
   const FrameStats stats = scene.render();
-  EXPECT_EQ(text_of(stats), "draws_in 1\nprimitives_in 256\n");  // no box, no tile
+  EXPECT_EQ(text_of(stats), "draws_in 1\ndraws_culled_frustum 1\nprimitives_in 256\n");  // no box, no tile
 }
 
 TEST(FastCounters, AClusterOutsideTheViewIsOneBoxOutside) {
