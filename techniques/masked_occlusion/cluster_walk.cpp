@@ -42,12 +42,12 @@ glm::dvec4 eye_of(const glm::dmat4& m) {
   return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
 }
 
-const std::vector<std::uint32_t>& ClusterWalk::worth_drawing(const raster::Draw& draw, glm::ivec2 size_px,
-                                                             const MaskedDepth& buffer, std::uint64_t& n_read) {
+std::span<const std::uint32_t> ClusterWalk::worth_drawing(const raster::Draw& draw, glm::ivec2 size_px,
+                                                          const MaskedDepth& buffer, std::uint64_t& n_read) {
   const raster::Clusters& clusters = *draw.clusters;
   const glm::dmat4& clip_from_object = std::get<raster::ObjectVertices>(draw.vertices).clip_from_object;
   const glm::dvec4 eye = eye_of(clip_from_object);
-  found_.clear();
+  by_depth_.clear();
   open_.clear();
   if (!clusters.groups.empty()) open_.push_back(0);
   while (!open_.empty()) {
@@ -60,12 +60,16 @@ const std::vector<std::uint32_t>& ClusterWalk::worth_drawing(const raster::Draw&
       if (on_screen && buffer.hides(*on_screen, n_read)) continue;  // one beside the picture has no pixels
       const std::uint32_t child = group.child[k];
       if ((child & ClusterGroup::kIsCluster) != 0) {
-        found_.push_back(child & ~ClusterGroup::kIsCluster);
+        const float nearest = on_screen ? on_screen->nearest : 2.0f;
+        by_depth_.emplace_back(-nearest, child & ~ClusterGroup::kIsCluster);
       } else {
         open_.push_back(child);
       }
     }
   }
+  std::sort(by_depth_.begin(), by_depth_.end());
+  found_.clear();
+  for (const auto& [depth, cluster] : by_depth_) found_.push_back(cluster);
   return found_;
 }
 

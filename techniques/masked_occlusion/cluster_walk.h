@@ -3,6 +3,8 @@
 /// nothing here has to be exact.
 
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "raster/frame.h"
@@ -13,15 +15,16 @@ namespace lode::techniques {
 /// Goes through the tree of a draw's clusters.
 class ClusterWalk {
  public:
-  /// The clusters to be drawn: not beside the picture, not behind the buffer as it is, not facing away as a whole.
-  /// Valid until the next call.
+  /// The clusters to be drawn, nearest first: not beside the picture, not behind the buffer as it is, not facing away
+  /// as a whole. Valid until the next call.
   ///   draw      with clusters
   ///   n_read    grows by the subtiles looked at
-  [[nodiscard]] const std::vector<std::uint32_t>& worth_drawing(const raster::Draw& draw, glm::ivec2 size_px,
-                                                                const MaskedDepth& buffer, std::uint64_t& n_read);
+  [[nodiscard]] std::span<const std::uint32_t> worth_drawing(const raster::Draw& draw, glm::ivec2 size_px,
+                                                             const MaskedDepth& buffer, std::uint64_t& n_read);
 
  private:
   std::vector<std::uint32_t> open_, found_;
+  std::vector<std::pair<float, std::uint32_t>> by_depth_;  ///< nearest depth, negated; cluster
 };
 
 /// The point of projective space that a projection maps to x = y = w = 0: (eye, 1) times any number; an orthographic

@@ -1,8 +1,31 @@
 #include "techniques/masked_occlusion/masked_occlusion.h"
 
+#include <algorithm>
+
 #include "techniques/objects_in_view.h"
 
 namespace lode::techniques {
+namespace {
+
+struct Placed {
+  ObjectId id;
+  std::optional<ScreenBox> box;
+};
+
+/// The working layer keeps more in this order, and the buffer so far can spare the next ones. What reaches the near
+/// plane comes first; ties by id.
+template <class BoxOf>
+std::vector<Placed> nearest_first(std::span<const ObjectId> ids, const BoxOf& box_of) {
+  std::vector<Placed> placed;
+  for (const ObjectId id : ids) placed.push_back({id, box_of(id)});
+  const auto nearest = [](const Placed& p) { return p.box ? p.box->nearest : 2.0f; };
+  std::sort(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
+    return nearest(a) != nearest(b) ? nearest(a) > nearest(b) : a.id < b.id;
+  });
+  return placed;
+}
+
+}  // namespace
 
 void MaskedOcclusion::prepare(Stage& stage) {
   const World& world = stage.world();
@@ -33,11 +56,9 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
   std::uint64_t n_hidden = 0;
   OccluderWork work;
   {
-    // Best first, so that the buffer so far can spare the next ones.
     const auto timer = stage.time("occluders");
     buffer_.begin(view.size_px);
-    for (const ObjectId id : occluders) {
-      const OnScreen box = box_of(id);
+    for (const auto& [id, box] : nearest_first(occluders, box_of)) {
       if (box && buffer_.hides(*box, work.subtiles_read)) {
         ++n_hidden;
       } else {
