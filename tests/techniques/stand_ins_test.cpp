@@ -35,10 +35,12 @@ double volume_x6(const StandIn& s) {
   return sum;
 }
 
-/// Boxes fill themselves. Of a ball of 9 by 6 sides, the cube of a third of its width lies inside.
+/// Boxes fill themselves. Of a ball of 9 by 6 sides, the cube of a third of its width lies inside. Of several meshes
+/// together nothing is known.
 std::vector<geometry::Bounds> inner_boxes(const Shape& shape) {
   geometry::Bounds box = bounds_of(shape.positions);
   if (shape.positions.size() == geometry::box({0, 0, 0}, {1, 1, 1}).positions.size()) return {box};
+  if (shape.positions.size() != geometry::sphere(glm::dvec3(0.0), 1.0, 9, 6).positions.size()) return {};
   const glm::dvec3 centre = box.centre();
   box.low = centre + (box.low - centre) / 3.0;
   box.high = centre + (box.high - centre) / 3.0;
