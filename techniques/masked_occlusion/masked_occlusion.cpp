@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "raster/fp_environment.h"
 #include "techniques/objects_in_view.h"
 
 namespace lode::techniques {
@@ -42,6 +43,7 @@ void MaskedOcclusion::prepare(Stage& stage) {
 }
 
 Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
+  const raster::FpEnvironment ieee;  // the renderer's: vertices have to be the same to the bit
   const World& world = stage.world();
   std::vector<ObjectId> inside, occluders;
   {
