@@ -30,7 +30,8 @@ AnyTechnique make_hierarchical_z(const ParameterValues& v) {
 }
 
 AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v)}));
+  const auto shape = techniques::OccluderShape(int(v.at("shape")));
+  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v), .shape = shape}));
 }
 
 /// Of everything that tests boxes against convex parts on slabs.
@@ -72,9 +73,12 @@ std::vector<TechniqueEntry> make_list() {
                                                   {"1", "2", "4", "8", "16", "32", "64"}, 0)}),
        make_hierarchical_z},
       {"masked_occlusion", "Objects whose box is behind a masked depth buffer of the occluders' triangles are left out",
-       with_occluder_parameters({}), make_masked_occlusion},
+       with_occluder_parameters(
+           {choice_parameter("shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls"}, 0)}),
+       make_masked_occlusion},
       {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
-       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe"}, 1)}), make_convex_culling},
+       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),
+       make_convex_culling},
   };
 }
 

@@ -67,7 +67,7 @@ void ConvexCulling::prepare(Stage& stage) {
   }
   const auto found = world.once<std::vector<ConvexApproximation>>(
       key_of(params_), [&] { return approximations(world, wanted, params_.approximation, stage.threads()); });
-  std::vector<OccluderShape> shapes(world.n_shapes());
+  std::vector<OccluderParts> shapes(world.n_shapes());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const ConvexApproximation& approximation = (*found)[i];
     const std::size_t n_levels = approximation.levels.size();
