@@ -127,10 +127,17 @@ void InnerGrid::find_cells_inside(const Solid& solid, std::size_t part) {
       if (inside_[cell(i)] && enters(t, glm::dvec3(corner(i)), glm::dvec3(corner(i + 1)))) inside_[cell(i)] = 0;
     });
   }
-  for_each_cell({glm::ivec3(0), size_}, [&](const glm::ivec3& i) {
-    if (!inside_[cell(i)]) return;
-    const glm::dvec3 middle = 0.5 * (glm::dvec3(corner(i)) + glm::dvec3(corner(i + 1)));
-    inside_[cell(i)] = solid.winding(part, middle) >= 1;
+  const auto middle = [](const std::vector<float>& planes, int i) {
+    return 0.5 * double(planes[std::size_t(i)]) + 0.5 * double(planes[std::size_t(i) + 1]);
+  };
+  for_each_cell({glm::ivec3(0), {size_.x, size_.y, 1}}, [&](const glm::ivec3& column) {
+    const auto crossings = solid.crossings(part, middle(planes_[0], column.x), middle(planes_[1], column.y));
+    for (glm::ivec3 i = column; i.z < size_.z; ++i.z) {
+      if (inside_[cell(i)] == 0) continue;
+      int winding = 0;
+      for (const Solid::Crossing& c : crossings) winding += c.z > middle(planes_[2], i.z) ? c.facing : 0;
+      inside_[cell(i)] = winding >= 1 ? 1 : 0;
+    }
   });
 }
 

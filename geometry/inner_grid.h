@@ -21,8 +21,7 @@ struct CellBox {
 class InnerGrid {
  public:
   /// resolution   cells on the part's longest side, 1…64; at least an eighth of it, rounded up, on the others
-  ///   cost       O(cells + cells in the boxes of triangles), and a question for the winding number for each cell that
-  ///              no triangle enters
+  ///   cost       O(cells + cells in the boxes of triangles), and a line through each column
   InnerGrid(const Solid& solid, std::size_t part, int resolution);
 
   /// Cells along each axis, ≥ 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <utility>
 
@@ -20,17 +21,25 @@ int perturbed_side(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p
   return a.y != b.y ? sign(a.y - b.y) : sign(b.x - a.x);
 }
 
-/// +1 if the line from p up along z, moved as above, leaves through the triangle, −1 if it enters, 0 if it misses. No
-/// line meets a triangle that is seen edge-on, nor an edge.
-int crossing(const SpaceTriangle& t, const glm::dvec3& p) {
-  const glm::dvec2 a(t[0]), b(t[1]), c(t[2]), q(p);
-  if ((p.z > t[0].z && p.z > t[1].z && p.z > t[2].z)) return 0;
-  const int facing = orientation(a, b, c);  // up or down
+/// +1 if the line up along z through q, moved as above, leaves through the triangle, −1 if it enters, 0 if it misses.
+/// No line meets a triangle that is seen edge-on, nor an edge.
+int facing_of_crossing(const SpaceTriangle& t, const glm::dvec2& q) {
+  const glm::dvec2 a(t[0]), b(t[1]), c(t[2]);
+  const int facing = orientation(a, b, c);
   if (facing == 0) return 0;
-  if (perturbed_side(a, b, q) != facing || perturbed_side(b, c, q) != facing || perturbed_side(c, a, q) != facing) {
-    return 0;
-  }
-  return orientation(t[0], t[1], t[2], p) == -facing ? facing : 0;
+  const bool met =
+      perturbed_side(a, b, q) == facing && perturbed_side(b, c, q) == facing && perturbed_side(c, a, q) == facing;
+  return met ? facing : 0;
+}
+
+/// Of the plane of the triangle at q.
+double height_at(const SpaceTriangle& t, const glm::dvec2& q) {
+  const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  return t[0].z - (normal.x * (q.x - t[0].x) + normal.y * (q.y - t[0].y)) / normal.z;
+}
+
+bool in_column(const Bounds& box, const glm::dvec2& q) {
+  return box.low.x <= q.x && q.x <= box.high.x && box.low.y <= q.y && q.y <= box.high.y;
 }
 
 bool holds(const Bounds& outer, const Bounds& inner) {
@@ -63,14 +72,26 @@ double Solid::volume() const {
 
 int Solid::winding(std::size_t part, const glm::dvec3& p) const {
   int n = 0;
-  const auto above = [&](const Bounds& box) {
-    return box.low.x <= p.x && p.x <= box.high.x && box.low.y <= p.y && p.y <= box.high.y && p.z <= box.high.z;
-  };
-  (void)parts_[part].tree.all_of(above, [&](const SpaceTriangle& t) {
-    n += crossing(t, p);
-    return true;
-  });
+  const glm::dvec2 q(p);
+  (void)parts_[part].tree.all_of([&](const Bounds& box) { return in_column(box, q) && p.z <= box.high.z; },
+                                 [&](const SpaceTriangle& t) {
+                                   const int facing = facing_of_crossing(t, q);
+                                   if (facing != 0 && orientation(t[0], t[1], t[2], p) == -facing) n += facing;
+                                   return true;
+                                 });
   return n;
+}
+
+std::vector<Solid::Crossing> Solid::crossings(std::size_t part, double x, double y) const {
+  std::vector<Crossing> found;
+  const glm::dvec2 q(x, y);
+  (void)parts_[part].tree.all_of([&](const Bounds& box) { return in_column(box, q); },
+                                 [&](const SpaceTriangle& t) {
+                                   const int facing = facing_of_crossing(t, q);
+                                   if (facing != 0) found.push_back({height_at(t, q), facing});
+                                   return true;
+                                 });
+  return found;
 }
 
 bool Solid::contains(const glm::dvec3& p) const {

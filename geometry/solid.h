@@ -43,6 +43,13 @@ class Solid {
   ///   part   below parts().size()
   ///   cost   O(log m + triangles above p)
   [[nodiscard]] int winding(std::size_t part, const glm::dvec3& p) const;
+  /// Where the line along z through (x, y), moved by less than any number, crosses the part's surface.
+  struct Crossing {
+    double z;    ///< rounded
+    int facing;  ///< +1 if the line, upwards, leaves, −1 if it enters
+  };
+  /// In no order that is defined. The winding number at (x, y, z) is the sum of `facing` above it.
+  [[nodiscard]] std::vector<Crossing> crossings(std::size_t part, double x, double y) const;
   /// Whether it winds round p at least once in some part.
   [[nodiscard]] bool contains(const glm::dvec3& p) const;
 

@@ -1,5 +1,7 @@
 #include "techniques/world.h"
 
+#include <utility>
+
 namespace lode::techniques {
 namespace {
 
@@ -83,7 +85,12 @@ Shape World::shape(std::uint32_t index) const {
     for (const glm::vec3& p : mesh.positions) {
       shape.positions.push_back(k == 0 ? p : glm::vec3(place * glm::dvec4(p, 1.0)));
     }
+    const std::size_t first_corner = shape.indices.size();
     for (const std::uint32_t i : mesh.indices) shape.indices.push_back(offset + i);
+    if (!geometry::mirrors(place)) continue;
+    for (std::size_t c = first_corner; c + 2 < shape.indices.size(); c += 3) {
+      std::swap(shape.indices[c + 1], shape.indices[c + 2]);
+    }
   }
   return shape;
 }
