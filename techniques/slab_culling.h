@@ -27,7 +27,9 @@ enum class Fusion : std::uint8_t { per_occluder, all };
 enum class LevelRule : std::uint8_t { last, any };
 
 struct SlabCullingParams {
-  OccluderRule occluders{.least_degree = 0.15, .most = 16};  ///< the paper leaves both open
+  /// The paper leaves the three open. No least degree: a ground plane has so large an A(S) that a threshold leaves
+  /// little else.
+  OccluderRule occluders{.least_degree = 0.0, .most = 16, .far = 0.0};
   /// Between eye → occluder and occluder → occludee, both as the middles of their boxes; 0…180°. The paper: "a
   /// constant". 180: no limit.
   double angle_limit_deg = 60.0;
