@@ -30,7 +30,7 @@ class MaskedOcclusion {
   struct Params {
     OccluderRule occluders;
     OccluderShape shape = OccluderShape::meshes;
-    InnerBoxes inner_boxes = {};  ///< called once for each shape that hides; only with OccluderShape::inner_boxes
+    FindBoxes inner_boxes = {};  ///< called once for each shape that hides; only with OccluderShape::inner_boxes
   };
   MaskedOcclusion() = default;
   explicit MaskedOcclusion(Params params) : params_(std::move(params)) {}

@@ -30,7 +30,7 @@ struct StandIn {
 
 /// Boxes in a shape's space that lie inside it. The shape has to be closed and outward there: whoever looks at a box
 /// from outside the model looks at a front face of the model first.
-using InnerBoxes = std::function<std::vector<geometry::Bounds>(const Shape&)>;
+using FindBoxes = std::function<std::vector<geometry::Bounds>(const Shape&)>;
 
 /// A box as twelve triangles, smaller by `inset` on either side of each axis, rounded inwards; no triangles if nothing
 /// is left.
