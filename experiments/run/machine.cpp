@@ -1,7 +1,8 @@
 #include "experiments/run/machine.h"
 
 #include <fstream>
-#include <thread>
+
+#include "raster/parallel.h"
 
 namespace lode::experiments {
 namespace {
@@ -28,7 +29,7 @@ Machine this_machine() {
 #else
   const std::string build = "with assertions";
 #endif
-  return {processor(), compiler, build, int(std::thread::hardware_concurrency())};
+  return {processor(), compiler, build, raster::worker_count(0)};
 }
 
 }  // namespace lode::experiments

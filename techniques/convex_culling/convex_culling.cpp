@@ -21,6 +21,9 @@ double quantile(std::vector<double> values, double share) {
   return values[at];
 }
 
+/// Of a shape with few vertices, 6 and 13 % would not do for one hull: it gets as many as one hull, or two, may have.
+constexpr std::size_t kSmallShape = 400, kDirections = 26;
+
 /// Of the shapes that are wanted; the others have no levels.
 std::vector<ConvexApproximation> approximations(const World& world, std::span<const std::uint8_t> wanted,
                                                 convex_culling::ApproximationParams params, int threads) {
@@ -29,7 +32,9 @@ std::vector<ConvexApproximation> approximations(const World& world, std::span<co
   raster::parallel_for(all.size(), raster::worker_count(threads), [&](std::size_t i, int) {
     if (wanted[i] == 0) return;
     const Shape shape = world.shape(std::uint32_t(i));
-    all[i] = convex_culling::approximate(shape.positions, shape.indices, params);
+    convex_culling::ApproximationParams own = params;
+    if (own.limits.empty() && shape.positions.size() < kSmallShape) own.limits = {kDirections, 2 * kDirections};
+    all[i] = convex_culling::approximate(shape.positions, shape.indices, own);
   });
   return all;
 }
@@ -80,6 +85,8 @@ ConvexCulling::Params ConvexCulling::params_for(Mode mode) {
   params.mode = mode;
   params.slabs.depth_rule = params.slabs.test_occluders = mode != Mode::literal;
   params.slabs.whole_occluders_only = mode == Mode::conservative;
+  // Counted as a sum, a limit that all vertices keep does not turn hulls into single polygons, which have no inside.
+  if (mode == Mode::conservative) params.approximation.count = convex_culling::VertexCount::sum;
   params.slabs.slabs = mode == Mode::conservative ? geometry::SlabMode::conservative : geometry::SlabMode::paper;
   return params;
 }

@@ -1,0 +1,171 @@
+// What techniques are given: a world's objects and shapes, and a stage that draws, captures and shows pictures.
+#include "techniques/stage.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "geometry/procedural.h"
+#include "raster/error.h"
+#include "techniques/plain/plain.h"
+
+namespace lode::techniques {
+namespace {
+
+using geometry::Scene;
+
+geometry::Material colored(const glm::vec4& color) {
+  geometry::Material material;
+  material.color = color;
+  material.unlit = true;
+  return material;
+}
+
+glm::dmat4 moved(double x, double z) { return glm::translate(glm::dmat4(1.0), glm::dvec3(x, 0.0, z)); }
+
+/// Boxes of one mesh at x = −2, 0, 2, the middle one in front, and a ball behind them.
+Scene boxes_and_ball() {
+  Scene scene;
+  const geometry::Mesh box = geometry::box(glm::dvec3(-0.5), glm::dvec3(0.5));
+  geometry::add_instance(scene, box, colored({1, 0, 0, 1}), moved(-2, 0));
+  for (const glm::dmat4& place : {moved(0, 2), moved(2, 0)}) {
+    scene.nodes.push_back({.name = {}, .parent = {}, .parent_from_node = place, .world_from_node = place});
+    scene.instances.push_back({.mesh = 0, .node = std::uint32_t(scene.nodes.size() - 1), .world_from_object = place});
+  }
+  geometry::add_instance(scene, geometry::sphere(glm::dvec3(0.0), 1.0, 16, 8), colored({0, 0, 1, 1}), moved(0, -4));
+  return scene;
+}
+
+View front_view() {
+  View view{.camera = {}, .size_px = {96, 64}};
+  geometry::look_at(view.camera, {0.0, 0.5, 9.0}, {0.0, 0.0, 0.0});
+  return view;
+}
+
+raster::Image picture_of(Stage& stage, const View& view) {
+  raster::Image image = raster::make_image(view.size_px, raster::ColorFormat::rgba32f);
+  raster::render({.draws = stage.draws(), .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, image);
+  return image;
+}
+
+TEST(World, HasAnObjectForEachNodeAndAShapeForEachKind) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  ASSERT_EQ(world.objects().size(), 4u);
+  EXPECT_EQ(world.n_shapes(), 2u);  // the three boxes are one
+  EXPECT_EQ(world.objects()[1].shape, world.objects()[0].shape);
+  EXPECT_EQ(world.objects()[1].bounds.low, glm::dvec3(-0.5, -0.5, 1.5));
+  EXPECT_EQ(world.objects()[3].n_primitives, 2u * 16u * 7u);
+  EXPECT_EQ(world.object_of(2), 2u);
+  EXPECT_TRUE(world.shape(0).hides);
+  EXPECT_EQ(world.shape(0).indices.size(), 36u);
+}
+
+TEST(World, OfPartsInOnePlaceHasShapesToTheLastBit) {
+  Scene scene;
+  const glm::dmat4 place = glm::rotate(moved(1.1, 2.3), 0.7, glm::dvec3(0.0, 1.0, 0.0));
+  geometry::add_instance(scene, geometry::box(glm::dvec3(-0.3), glm::dvec3(0.7)), {}, place);
+  geometry::add_instance(scene, geometry::sphere(glm::dvec3(0.1), 0.3, 8, 4), {}, place);
+  scene.instances[1].node = 0;
+  scene.objects = {{"both", 0, 2}};
+  const World exact(scene, {}, false);
+  EXPECT_TRUE(exact.shape(0).exact);
+  EXPECT_EQ(exact.shape(0).positions.back(), scene.meshes[1].positions.back());
+  scene.instances[1].world_from_object = moved(0.1, 0.0) * place;
+  EXPECT_FALSE(World(scene, {}, false).shape(0).exact);
+}
+
+TEST(World, FindsThingsOutOnce) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  int n_made = 0;
+  const auto make = [&] { return std::vector<int>{++n_made}; };
+  const auto first = world.once<std::vector<int>>("a", make), again = world.once<std::vector<int>>("a", make);
+  EXPECT_EQ(first, again);
+  EXPECT_EQ(world.once<std::vector<int>>("b", make)->at(0), 2);
+}
+
+TEST(Stage, PictureOfEverythingIsThatOfTheSceneInWhateverOrder) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  const View view = front_view();
+  raster::Image whole = raster::make_image(view.size_px, raster::ColorFormat::rgba32f);
+  const auto draws = world.draws().draws(view.camera, view.size_px);
+  raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, whole);
+  Stage stage(world);
+  stage.begin(view);
+  for (const ObjectId id : {3u, 1u, 0u, 2u, 1u}) stage.object(id);
+  const raster::Image image = picture_of(stage, view);
+  EXPECT_EQ(image.ids, whole.ids);
+  EXPECT_EQ(image.rgba32f, whole.rgba32f);
+  EXPECT_EQ(stage.work().objects, 4u);  // one was named twice
+  EXPECT_EQ(stage.work().primitives, 3u * 12u + 224u);
+  stage.begin(view);
+  EXPECT_TRUE(stage.draws().empty());
+}
+
+/// A plate that faces the camera of its picture and stands where the object does shows what the object would.
+TEST(Stage, PlateShowsWhatWasCapturedAndCarriesTheObjectsId) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  const View view = front_view();
+  Stage stage(world);
+  stage.begin(view);
+  geometry::Camera camera;
+  camera.projection = geometry::Projection::orthographic;
+  camera.height = 3.0, camera.near = 0.1, camera.far = 10.0;
+  geometry::look_at(camera, {0.0, 0.0, 0.0}, {0.0, 0.0, -4.0});
+  const ObjectId ball = 3;
+  const PictureId picture = stage.capture({&ball, 1}, camera, {64, 64});
+  EXPECT_EQ(stage.work().captured_px, 64u * 64u);
+  EXPECT_EQ(stage.picture(picture).depth[0], 0.0f);             // beside the ball
+  EXPECT_GT(stage.picture(picture).depth[32 * 64 + 32], 0.0f);  // in its middle
+  const auto corner = [](double x, double y) { return glm::dvec3(1.5 * x, 1.5 * y, -4.0); };
+  stage.plate(ball, picture, {corner(-1, 1), corner(-1, -1), corner(1, -1), corner(1, 1)}, PlateEdge::cutout);
+  const raster::Image image = picture_of(stage, view);
+  const std::size_t middle = 34 * 96 + 48;
+  EXPECT_EQ(image.ids[middle].draw, 3u);
+  EXPECT_EQ(image.ids[middle].primitive, kStandInPrimitive);
+  EXPECT_EQ(image.rgba32f[middle], glm::vec4(0, 0, 1, 1));
+  EXPECT_EQ(image.ids[0].draw, raster::kNoId);  // the plate's corners are cut out
+}
+
+TEST(Stage, KeepsAReleasedPictureUntilTheNextFrame) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  Stage stage(world);
+  stage.begin(front_view());
+  const ObjectId box = 0;
+  const PictureId picture = stage.capture({&box, 1}, front_view().camera, {8, 4});
+  // Colour of 8 × 4, 4 × 2, 2 × 1 and 1 × 1 texels of 16 bytes, and depth of the first.
+  EXPECT_EQ(stage.picture_bytes(), (32u + 8u + 2u + 1u) * 16u + 32u * 4u);
+  stage.plate(box, picture, {glm::dvec3(0, 1, 0), glm::dvec3(0), glm::dvec3(1, 0, 0), glm::dvec3(1, 1, 0)},
+              PlateEdge::blended);
+  stage.release(picture);
+  EXPECT_EQ(stage.picture_bytes(), 0u);
+  EXPECT_EQ(stage.draws().size(), 1u);
+  EXPECT_NO_THROW(picture_of(stage, front_view()));
+  EXPECT_THROW(stage.plate(box, picture, {}, PlateEdge::cutout), raster::Error);
+}
+
+TEST(Stage, CapturesLinearColoursOnly) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {.shading = Shading::material, .color_space = ColorSpace::raw}, false);
+  Stage stage(world);
+  const ObjectId box = 0;
+  EXPECT_THROW(static_cast<void>(stage.capture({&box, 1}, front_view().camera, {8, 8})), raster::Error);
+}
+
+TEST(Stage, AddsUpTheTimesOfAPart) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  Stage stage(world);
+  stage.begin(front_view());
+  for (int k = 0; k < 2; ++k) const auto timer = stage.time("test");
+  ASSERT_EQ(stage.times().size(), 1u);
+  EXPECT_EQ(stage.times()[0].part, "test");
+  EXPECT_GE(stage.times()[0].ms, 0.0);
+}
+
+}  // namespace
+}  // namespace lode::techniques
