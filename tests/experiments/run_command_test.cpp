@@ -1,0 +1,59 @@
+// `lodestone run` on the command line. What an experiment finds is its own tests' matter.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "experiments/experiment.h"
+#include "experiments/run/results_folder.h"
+#include "tests/experiments/run_program.h"
+#include "tests/geometry/temporary_folder.h"
+
+namespace lode::tests {
+namespace {
+
+using namespace experiments;
+
+using testing::HasSubstr;
+
+TEST(Run, RefusesWhatItDoesNotKnowInOneLine) {
+  const auto refused = [](std::vector<std::string> arguments, const char* message) {
+    arguments.insert(arguments.begin(), "run");
+    const auto run = run_lodestone(arguments);
+    EXPECT_EQ(run.status, 2) << message;
+    EXPECT_THAT(run.err, HasSubstr(message));
+  };
+  refused({"shadows"}, "run: expected convex_approximation or convex_culling, found \"shadows\"");
+  refused({"convex_culling", "--size", "huge"}, "--size: expected quick or full, found \"huge\"");
+  refused({"convex_culling", "--seed", "-1"}, "--seed: expected a whole number from 0 on, found \"-1\"");
+  refused({"convex_culling", "convex_approximation", "--set", "k=1"}, "--set: expected EXPERIMENT.NAME=VALUE");
+  refused({}, "EXPERIMENT");
+  EXPECT_EQ(run_lodestone({"run", "convex_culling", "--set", "k=1"}).status, 3);
+}
+
+TEST(Run, IsListed) {
+  const auto list = run_lodestone({"list", "experiments"});
+  for (const Experiment& experiment : experiment_list()) EXPECT_THAT(list.out, HasSubstr(experiment.name));
+}
+
+TEST(ResultsFolder, AppearsWholeAndReplacesAnOlderOne) {
+  const TemporaryFolder folder;
+  const std::string at = folder.path("out/experiment");
+  folder.write("out/experiment/old.txt", "old");
+  {
+    const ResultsFolder abandoned(at);  // a run that failed
+    EXPECT_TRUE(std::filesystem::exists(at + "/old.txt"));
+  }
+  ResultsFolder results(at);
+  ExperimentResults found;
+  found.results.emplace_back().add("n", std::int64_t(1));
+  results.publish(found, "{}\n");
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(at)) names.push_back(entry.path().filename().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("results.csv", "times.csv", "summary.json", "images"));
+  int n_beside = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path("out"))) n_beside += entry.exists() ? 1 : 0;
+  EXPECT_EQ(n_beside, 1);
+}
+
+}  // namespace
+}  // namespace lode::tests
