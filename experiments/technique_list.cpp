@@ -2,6 +2,7 @@
 
 #include "experiments/option_values.h"
 #include "geometry/shortened.h"
+#include "techniques/convex_culling/convex_culling.h"
 #include "techniques/frustum_culling/frustum_culling.h"
 #include "techniques/hierarchical_z/hierarchical_z.h"
 #include "techniques/masked_occlusion/masked_occlusion.h"
@@ -11,8 +12,8 @@ namespace lode::experiments {
 namespace {
 
 /// Which objects are occluders: the same words for every culler.
-std::vector<Parameter> with_occluder_parameters(std::vector<Parameter> parameters) {
-  const techniques::OccluderRule rule;
+std::vector<Parameter> with_occluder_parameters(std::vector<Parameter> parameters,
+                                                const techniques::OccluderRule& rule = {}) {
   parameters.push_back({"occluders", "objects that hide others: at most", 0, 1e6, double(rule.most), true});
   parameters.push_back({"least_degree", "occluder degree of the last one", 0, 1, rule.least_degree});
   parameters.push_back(
@@ -29,8 +30,32 @@ AnyTechnique make_hierarchical_z(const ParameterValues& v) {
 }
 
 AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  const auto shape = techniques::OccluderShape(int(v.at("shape")));
+  const auto shape = techniques::MaskedShape(int(v.at("shape")));
   return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v), .shape = shape}));
+}
+
+/// Of everything that tests boxes against convex parts on slabs.
+std::vector<Parameter> with_slab_parameters(std::vector<Parameter> parameters) {
+  const techniques::SlabCullingParams slabs;
+  parameters.push_back({"angle", "between eye, occluder and occludee at most, degrees", 0, 180, slabs.angle_limit_deg});
+  parameters.push_back({"slabs", "of the virtual screen", 1, 65536, double(slabs.n_slabs), true});
+  parameters.push_back(choice_parameter("fusion", "whose parts count together", {"per_occluder", "all"}, 1));
+  parameters.push_back(choice_parameter("levels", "which levels decide", {"last", "any"}, 0));
+  return with_occluder_parameters(std::move(parameters), slabs.occluders);
+}
+
+void set_slab_parameters(const ParameterValues& v, techniques::SlabCullingParams& slabs) {
+  slabs.occluders = occluder_rule(v);
+  slabs.angle_limit_deg = v.at("angle");
+  slabs.n_slabs = int(v.at("slabs"));
+  slabs.fusion = techniques::Fusion(int(v.at("fusion")));
+  slabs.levels = techniques::LevelRule(int(v.at("levels")));
+}
+
+AnyTechnique make_convex_culling(const ParameterValues& v) {
+  auto params = techniques::ConvexCulling::params_for(techniques::ConvexCulling::Mode(int(v.at("mode"))));
+  set_slab_parameters(v, params.slabs);
+  return AnyTechnique(techniques::ConvexCulling(params));
 }
 
 std::vector<TechniqueEntry> make_list() {
@@ -51,6 +76,8 @@ std::vector<TechniqueEntry> make_list() {
        with_occluder_parameters(
            {choice_parameter("shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls"}, 0)}),
        make_masked_occlusion},
+      {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
+       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe"}, 1)}), make_convex_culling},
   };
 }
 

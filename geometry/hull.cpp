@@ -54,7 +54,7 @@ std::vector<std::uint32_t> planar_hull(Points points, std::span<const std::uint3
 /// The facets in the plane of facet f that hang together with it; all are marked. Their corners, once each.
 std::vector<std::uint32_t> face_corners(Points points, std::span<const HullFacets::Facet> facets, std::uint32_t f,
                                         std::vector<bool>& done) {
-  const auto [a, b, c] = facets[f].corners;
+  const HullFacets::Triangle& own = facets[f].corners;
   std::vector<std::uint32_t> face = {f}, corners;
   done[f] = true;
   for (std::size_t k = 0; k < face.size(); ++k) {
@@ -63,15 +63,16 @@ std::vector<std::uint32_t> face_corners(Points points, std::span<const HullFacet
     for (const std::uint32_t neighbour : facet.neighbours) {
       if (done[neighbour]) continue;
       const HullFacets::Triangle& other = facets[neighbour].corners;
-      const bool in_plane = std::ranges::all_of(
-          other, [&](std::uint32_t p) { return orientation(points[a], points[b], points[c], points[p]) == 0; });
+      const bool in_plane = std::ranges::all_of(other, [&](std::uint32_t p) {
+        return orientation(points[own[0]], points[own[1]], points[own[2]], points[p]) == 0;
+      });
       if (!in_plane) continue;
       done[neighbour] = true;
       face.push_back(neighbour);
     }
   }
   std::ranges::sort(corners);
-  corners.erase(std::ranges::unique(corners).begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
@@ -97,7 +98,7 @@ Hull polyhedron(Points points, const std::array<std::uint32_t, 4>& tetrahedron) 
     hull.vertices.insert(hull.vertices.end(), corners.begin(), corners.end());
   }
   std::ranges::sort(hull.vertices);
-  hull.vertices.erase(std::ranges::unique(hull.vertices).begin(), hull.vertices.end());
+  hull.vertices.erase(std::unique(hull.vertices.begin(), hull.vertices.end()), hull.vertices.end());
   return hull;
 }
 

@@ -18,8 +18,8 @@ std::vector<std::uint32_t> sorted_distinct(std::span<const glm::dvec2> points) {
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
     return std::tuple(points[a].x, points[a].y, a) < std::tuple(points[b].x, points[b].y, b);
   });
-  const auto rest = std::ranges::unique(order, [&](auto a, auto b) { return points[a] == points[b]; });
-  order.erase(rest.begin(), rest.end());
+  const auto equal = [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; };
+  order.erase(std::unique(order.begin(), order.end(), equal), order.end());
   return order;
 }
 

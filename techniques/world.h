@@ -3,8 +3,11 @@
 /// which of them are the same shape in different places. Made once per scene and shared by all that draw it.
 
 #include <cstdint>
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,13 +53,29 @@ class World {
   [[nodiscard]] std::uint32_t n_shapes() const { return std::uint32_t(first_of_shape_.size()); }
   /// Makes a copy of one. O(its size).
   [[nodiscard]] Shape shape(std::uint32_t shape) const;
+  /// What was found out about this world under that key, or what `make` returns, which is then kept for whoever asks
+  /// next: techniques that prepare the same thing with the same parameters do it once. The key names the type, too.
+  template <class T>
+  [[nodiscard]] std::shared_ptr<const T> once(const std::string& key, const std::function<T()>& make) const {
+    const std::lock_guard lock(findings_->lock);
+    std::shared_ptr<const void>& found = findings_->by_key[key];
+    if (!found) found = std::make_shared<const T>(make());
+    return std::static_pointer_cast<const T>(found);
+  }
+
   /// The object that an instance belongs to.
   [[nodiscard]] ObjectId object_of(std::uint32_t instance) const { return object_of_[instance]; }
 
  private:
+  struct Findings {
+    std::mutex lock;
+    std::map<std::string, std::shared_ptr<const void>> by_key;
+  };
+
   void add_object(const geometry::SceneObject& scene_object);
   std::uint32_t shape_of(const WorldObject& object);
 
+  std::unique_ptr<Findings> findings_ = std::make_unique<Findings>();
   SceneDraws draws_;
   ColorSpace color_space_;
   geometry::Bounds bounds_;

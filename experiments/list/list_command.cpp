@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "experiments/experiment.h"
 #include "experiments/option_values.h"
 #include "experiments/scenes/builtin_scene.h"
 #include "experiments/technique_list.h"
@@ -33,6 +34,7 @@ std::vector<Kind> all_kinds() {
   std::vector<Kind> kinds = {{"scenes", {}}, {"techniques", {}}, {"experiments", {}}};
   for (const BuiltinScene& s : builtin_scenes()) kinds[0].entries.push_back({s.name, s.summary, s.parameters});
   for (const TechniqueEntry& t : technique_list()) kinds[1].entries.push_back({t.name, t.summary, t.parameters});
+  for (const Experiment& e : experiment_list()) kinds[2].entries.push_back({e.name, e.summary, e.parameters});
   return kinds;
 }
 

@@ -64,11 +64,15 @@ class Furnisher {
     place(bookcases_[random.below(4)], "bookcase", in_room(-2.71, -2.75, kQuarter));
     if (room == 4 || room == 11) place(bookcases_[random.below(4)], "bookcase", in_room(-2.71, -1.5, kQuarter));
     place(cupboard_, "cupboard", in_room(-1.55, -3.60, 0.0));
-    place(plants_[random.below(3)], "plant",
-          in_room(2.35 + random.uniform(-0.05, 0.05), -0.7, random.uniform(0.0, 6.28)));
+    // Each number in a statement of its own: the order of a call's arguments is the compiler's.
+    const auto shift = [&] { return random.uniform(-0.05, 0.05); };
+    const auto turn = [&] { return random.uniform(0.0, 2.0 * kPi); };
+    const std::uint32_t plant = random.below(3), fabric = random.below(3);
+    const double plant_x = 2.35 + shift(), plant_turn = turn(), sofa_x = -1.55 + shift(), lamp_x = -0.12 + shift();
+    place(plants_[plant], "plant", in_room(plant_x, -0.7, plant_turn));
     if (room == 3 || room == 8) return;  // ten sofas and ten lamps for twelve rooms
-    place(sofas_[random.below(3)], "sofa", in_room(-1.55 + random.uniform(-0.05, 0.05), 3.36, kPi));
-    place(lamp_, "lamp", in_room(-0.12 + random.uniform(-0.05, 0.05), 3.45, random.uniform(0.0, 6.28)));
+    place(sofas_[fabric], "sofa", in_room(sofa_x, 3.36, kPi));
+    place(lamp_, "lamp", in_room(lamp_x, 3.45, turn()));
   }
 
   void place(std::size_t model, const std::string& name, const glm::dmat4& at) {

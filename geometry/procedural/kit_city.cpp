@@ -82,8 +82,10 @@ void add_street_furniture(Kit& kit, std::uint64_t seed) {
       Random random(seed, 3, std::uint64_t(j * kTilesX + i));
       const double pavement = 0.86 * kUnit;
       for (const double side : {-1.0, 1.0}) {
+        if ((j == 0 && side < 0.0) || (j + 1 == kTilesZ && side > 0.0)) continue;  // the edge of the city
         const glm::dvec3 edge = tile(i, j) + glm::dvec3(0.0, kPavementHeight, side * pavement);
-        if (i % 2 == 0) kit.place("streetlight.gltf", turned_frame(edge, side * 0.5 * kPi));
+        if (i % 2 == 0)
+          kit.place("streetlight.gltf", turned_frame(edge, -side * 0.5 * kPi));  // its arm over the street
         if (random.below(3) != 0) continue;
         const glm::dvec3 beside = edge + glm::dvec3(random.uniform(1.5, 3.5), 0.0, side * 0.15 * kUnit);
         kit.stand(small[random.below(6)], turned_frame(beside, side > 0.0 ? kPi : 0.0));

@@ -89,14 +89,15 @@ void furnish(Kit& kit, int i, int j, Random random) {
     if (random.below(4) != 0) put("chair.gltf.glb", 1.08, z, -quarter + random.uniform(-0.3, 0.3));
     if (random.below(4) != 0) put("chair.gltf.glb", 0.36, z, quarter + random.uniform(-0.3, 0.3));
   }
+  const double turn_large = quarter * random.below(4), turn_small = quarter * random.below(2),
+               turn_round = random.uniform(0.0, 2.0 * kPi);
   put(one_of({"barrel_large.gltf.glb", "barrel_large_decorated.gltf.glb", "box_stacked.gltf.glb"}, random), 0.5, 0.55,
-      quarter * random.below(4));
+      turn_large);
   put(one_of({"barrel_small_stack.gltf.glb", "box_small_decorated.gltf.glb", "box_large.gltf.glb"}, random), 2.55, 0.45,
-      quarter * random.below(2));
+      turn_small);
   put(one_of({"chest.glb", "chest_gold.glb", "keg.gltf.glb"}, random), 2.1, 0.36, 0.0);
   put(one_of({"bed_decorated.gltf.glb", "bed_frame.gltf.glb", "trunk_large_A.gltf.glb"}, random), 2.5, 2.38, kPi);
-  put(one_of({"barrel_small.gltf.glb", "box_small.gltf.glb", "stool.gltf.glb"}, random), 1.98, 2.74,
-      random.uniform(0, 6));
+  put(one_of({"barrel_small.gltf.glb", "box_small.gltf.glb", "stool.gltf.glb"}, random), 1.98, 2.74, turn_round);
   if (random.below(2) == 0) put("candle_triple.gltf.glb", 1.95, 2.45, 0.0);
   // Torches on the walls across from each other.
   for (const double x : {0.6, 2.4}) {

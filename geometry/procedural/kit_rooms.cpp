@@ -73,7 +73,8 @@ class Room {
   }
   void chairs_around(const std::array<glm::dvec3, 4>& places) {
     for (const glm::dvec3& p : places) {
-      put(one_of({"chair_A.gltf", "chair_B.gltf", "chair_A_wood.gltf"}), p.x, p.y, p.z + random_.uniform(-0.15, 0.15));
+      const double turn = p.z + random_.uniform(-0.15, 0.15);
+      put(one_of({"chair_A.gltf", "chair_B.gltf", "chair_A_wood.gltf"}), p.x, p.y, turn);
     }
   }
 

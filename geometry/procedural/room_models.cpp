@@ -132,8 +132,9 @@ Model potted_plant(std::uint64_t seed) {
     const double yaw = 2.399963229728653 * k + random.uniform(-0.25, 0.25);  // golden angle
     const double t = double(k) / 156.0, from = random.uniform(0.0, 0.05);
     const SinCos a = sin_cos(yaw);
-    add_frond(fronds, {from * a.sin, 0.36, from * a.cos}, yaw, 0.30 + 0.38 * (1.0 - t) + random.uniform(0, .08),
-              0.5 + 1.9 * t + random.uniform(0, 0.4), 0.075, kPieces);
+    const double length = 0.30 + 0.38 * (1.0 - t) + random.uniform(0.0, 0.08),
+                 rise = 0.5 + 1.9 * t + random.uniform(0.0, 0.4);
+    add_frond(fronds, {from * a.sin, 0.36, from * a.cos}, yaw, length, rise, 0.075, kPieces);
   }
   fill_up(model, model.surface(clay), kPlantTriangles);
   return model;

@@ -29,7 +29,7 @@ class ClusterMeasure {
       vertices_.insert(vertices_.end(), cluster.vertices.begin(), cluster.vertices.end());
     }
     std::ranges::sort(vertices_);
-    vertices_.erase(std::ranges::unique(vertices_).begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     Candidate candidate;
     candidate.members = std::move(members);
     candidate.support = support_vertices(mesh_.vertices, vertices_, directions_, params_.rule);
@@ -102,7 +102,7 @@ void merge(std::span<const Candidate> accepted, std::vector<Cluster>& clusters, 
     }
     std::ranges::sort(node.children);
     std::ranges::sort(joined.vertices);
-    joined.vertices.erase(std::ranges::unique(joined.vertices).begin(), joined.vertices.end());
+    joined.vertices.erase(std::unique(joined.vertices.begin(), joined.vertices.end()), joined.vertices.end());
     tree.push_back(std::move(node));
     next.push_back(std::move(joined));
   }

@@ -65,7 +65,7 @@ std::vector<std::vector<std::uint32_t>> neighbourhoods(std::span<const Cluster> 
       if (end - begin > 1) members.insert(members.end(), begin, end);
     }
     std::ranges::sort(members);
-    members.erase(std::ranges::unique(members).begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
   }
   return result;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
+#include <tuple>
 
 #include "techniques/convex_culling/coverage_grid.h"
 #include "techniques/convex_culling/selection.h"
@@ -61,12 +61,13 @@ class Descent {
 
   [[nodiscard]] std::optional<std::uint32_t> next() {
     std::optional<std::uint32_t> best;
-    std::pair<double, std::int64_t> least_key;
+    std::tuple<double, std::int64_t, std::uint32_t> least_key;
     for (Splittable& s : queue_) {
       if (!s.change) s.change = selection_.change(s.node);
       if (selection_.m() + s.change->m > limit_) continue;
-      const std::pair key = order_ == SplitOrder::own_error ? std::pair(-tree_[s.node].error, std::int64_t{0})
-                                                            : std::pair(error_after(*s.change), s.change->own);
+      const std::tuple key = order_ == SplitOrder::own_error
+                                 ? std::tuple(-tree_[s.node].error, std::int64_t{0}, s.node)
+                                 : std::tuple(error_after(*s.change), s.change->own, s.node);
       if (!best || key < least_key) best = s.node, least_key = key;
     }
     return best;
@@ -82,7 +83,6 @@ class Descent {
     for (const std::uint32_t child : tree_[node].children) {
       if (!tree_[child].children.empty()) queue_.push_back({child, {}});
     }
-    std::ranges::sort(queue_, {}, &Splittable::node);
   }
 
   /// Q after the first n splits.
@@ -104,7 +104,7 @@ class Descent {
   double model_area_;
   Selection selection_;
   std::uint32_t root_;
-  std::vector<Splittable> queue_;      ///< ascending by node
+  std::vector<Splittable> queue_;      ///< in any order
   std::vector<std::uint32_t> splits_;  ///< in their order
 };
 

@@ -18,7 +18,7 @@ Partition reference_partition(const WeldedMesh& mesh, const ClusterTree& tree, s
     for (const std::uint32_t node : nodes) all.insert(all.end(), extreme.of(node).begin(), extreme.of(node).end());
     if (params.count == VertexCount::sum) return all.size();
     std::ranges::sort(all);
-    return std::size_t(std::ranges::unique(all).begin() - all.begin());
+    return std::size_t(std::unique(all.begin(), all.end()) - all.begin());
   };
   const auto error = [&](const std::vector<std::uint32_t>& nodes, std::int64_t& own) {
     CoverageGrid grid(mesh.bounds, params.n_grid);

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> support_vertices(std::span<const glm::vec3> positions
     }
   }
   std::ranges::sort(chosen);
-  chosen.erase(std::ranges::unique(chosen).begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }
 

@@ -73,7 +73,9 @@ class Cells {
 
   /// The entries in one cell, lowest index first.
   [[nodiscard]] std::span<const std::pair<Cell, std::uint32_t>> in(const Cell& cell) const {
-    const auto [begin, end] = std::ranges::equal_range(entries_, cell, {}, [](const auto& e) { return e.first; });
+    const auto cell_of = [](const auto& entry) { return entry.first; };
+    const auto begin = std::ranges::lower_bound(entries_, cell, {}, cell_of);
+    const auto end = std::ranges::upper_bound(entries_, cell, {}, cell_of);
     return {begin, end};
   }
 
@@ -109,7 +111,7 @@ WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint3
   WeldedMesh mesh;
   std::vector<std::uint32_t> used(indices.begin(), indices.end());
   std::ranges::sort(used);
-  used.erase(std::ranges::unique(used).begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
   for (const std::uint32_t i : used) mesh.bounds.add(glm::dvec3(positions[i]));
 
   Groups groups(positions.size());

@@ -17,8 +17,8 @@ namespace lode::geometry::test {
 
 using Points3 = std::vector<glm::dvec3>;
 
-/// Case i: up to 24 points of a small integer grid (0 to 3 of its axes are used, so that points, segments and polygons
-/// come too), turned by a shear that leaves them integers, sometimes far out; many coincide.
+/// Case i: up to 24 points of a small integer grid, sheared so that they stay integers, sometimes far out. Many
+/// coincide; some grids have one step along an axis or more, so that points, segments and polygons come too.
 inline Points3 grid_points(std::uint64_t i) {
   Random random(5, 79, i);
   const std::uint32_t side = 1 + random.below(4), n = 1 + random.below(24);
@@ -33,9 +33,7 @@ inline Points3 grid_points(std::uint64_t i) {
   return points;
 }
 
-/// Whether the point is extreme, by definition turned round: not in the hull of the others, for integers of a small
-/// grid in three dimensions. It is not if it lies on a segment, in a triangle or in a tetrahedron of three others
-/// (Carathéodory); brute force over all planes through two others and the point decides the same.
+/// On the closed segment from a to b, exactly: on its line as seen along each axis, and within its box.
 inline bool is_on_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   const auto flat = [](const glm::dvec3& q, int axis) { return glm::dvec2(q[(axis + 1) % 3], q[(axis + 2) % 3]); };
   for (int axis = 0; axis < 3; ++axis) {

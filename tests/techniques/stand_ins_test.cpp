@@ -11,7 +11,7 @@ namespace lode::tests {
 namespace {
 
 using techniques::MaskedOcclusion;
-using techniques::OccluderShape;
+using techniques::MaskedShape;
 using techniques::Shape;
 using techniques::StandIn;
 using techniques::View;
@@ -92,7 +92,7 @@ TEST(StandIns, WithInnerBoxesPicturesOfClosedModelsLookTheSame) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     const geometry::Scene scene = seed % 2 == 0 ? random_scene(seed, 40) : lattice_scene(seed, 30);
     const World world(scene, kRawUnlit, true, 1);
-    Showing technique(world, MaskedOcclusion({{}, OccluderShape::inner_boxes, inner_boxes}));
+    Showing technique(world, MaskedOcclusion({{}, MaskedShape::inner_boxes, inner_boxes}));
     Showing plain(world, techniques::Plain{});
     for (std::uint64_t k = 0; k < 6; ++k) {
       const View view = seed % 2 == 0 ? random_view(seed, k) : lattice_view(seed, k);
@@ -120,7 +120,7 @@ TEST(StandIns, HullsHideWhatModelsLeaveFreeAndSaySo) {
   View view;
   view.size_px = {64, 64};
   EXPECT_TRUE(Showing(world, MaskedOcclusion{}).picture(view).drawn[1]);
-  const MaskedOcclusion hulls({.occluders = {}, .shape = OccluderShape::hulls});
+  const MaskedOcclusion hulls({.occluders = {}, .shape = MaskedShape::hulls});
   EXPECT_EQ(hulls.promise(), techniques::Promise::approximate);
   EXPECT_FALSE(Showing(world, hulls).picture(view).drawn[1]);
 }

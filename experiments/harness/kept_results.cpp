@@ -1,0 +1,62 @@
+#include "experiments/harness/kept_results.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "experiments/error.h"
+#include "experiments/sha256.h"
+#include "experiments/whole_file.h"
+
+namespace lode::experiments {
+namespace {
+
+constexpr std::string_view kMagic = "lodestone kept result 1\n";
+constexpr std::size_t kHashLength = 64;
+
+std::string hash_of(std::string_view text) { return sha256_hex(std::as_bytes(std::span(text))); }
+
+/// Magic, hash of what follows, key, NUL, value.
+std::string entry_of(std::string_view key, std::string_view value) {
+  std::string body(key);
+  body += '\0';
+  body += value;
+  return std::string(kMagic) + hash_of(body) + body;
+}
+
+}  // namespace
+
+std::string KeptResults::path_of(std::string_view key) const { return folder_ + "/" + hash_of(key).substr(0, 32); }
+
+std::optional<std::string> KeptResults::find(std::string_view key) const {
+  if (folder_.empty()) return std::nullopt;
+  std::ifstream file(path_of(key), std::ios::binary);
+  const std::string all{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::size_t begin = kMagic.size() + kHashLength, value = begin + key.size() + 1;
+  if (all.size() < value || !all.starts_with(kMagic)) return std::nullopt;
+  const std::string_view body = std::string_view(all).substr(begin);
+  const bool of_key = body.starts_with(key) && body[key.size()] == '\0';
+  if (!of_key || std::string_view(all).substr(kMagic.size(), kHashLength) != hash_of(body)) return std::nullopt;
+  return all.substr(value);
+}
+
+void KeptResults::keep(std::string_view key, std::string_view value) const {
+  if (folder_.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) throw Error(Status::bad_input, folder_ + ": cannot be made: " + error.message());
+  WholeFile file(path_of(key));
+  const std::string entry = entry_of(key, value);
+  file.file().write(entry.data(), entry.size());
+  publish({&file});
+}
+
+std::string KeptResults::get(std::string_view key, const std::function<std::string()>& make) const {
+  if (std::optional<std::string> kept = find(key)) return *std::move(kept);
+  std::string made = make();
+  keep(key, made);
+  return made;
+}
+
+}  // namespace lode::experiments

@@ -1,0 +1,53 @@
+#include "experiments/harness/method.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "raster/render.h"
+
+namespace lode::experiments {
+namespace {
+
+constexpr std::string_view kWithSkips = " + skips";
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Method make_method(std::string_view text) {
+  const bool skips = text.ends_with(kWithSkips);
+  const std::string_view technique = skips ? text.substr(0, text.size() - kWithSkips.size()) : text;
+  return {std::string(text), read_technique("method", technique), skips};
+}
+
+PreparedMethod::PreparedMethod(const Method& method, const techniques::World& world,
+                               const raster::RenderOptions& options)
+    : method_(method), options_(options), stage_(world, options), technique_(method.technique.make()) {
+  options_.memory = &memory_;
+  options_.skips.occlusion = method.renderer_skips;
+  const double begin_ms = now_ms();
+  technique_.prepare(stage_);
+  prepare_ms_ = now_ms() - begin_ms;
+}
+
+PreparedMethod::Times PreparedMethod::draw(const techniques::View& view, raster::Image& image) {
+  Times times;
+  const double begin_ms = now_ms();
+  stage_.begin(view);
+  counters_ = technique_.draw(view, stage_);
+  const std::span<const raster::Draw> draws = stage_.draws();
+  const double decided_ms = now_ms();
+  work_ = raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, image, options_);
+  times.technique_ms = decided_ms - begin_ms;
+  times.render_ms = now_ms() - decided_ms;
+  return times;
+}
+
+std::uint64_t PreparedMethod::counter(std::string_view name) const {
+  const auto found = std::find_if(counters_.begin(), counters_.end(), [&](const auto& c) { return c.name == name; });
+  return found == counters_.end() ? 0 : found->value;
+}
+
+}  // namespace lode::experiments

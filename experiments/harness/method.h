@@ -1,0 +1,53 @@
+#pragma once
+/// A technique as an experiment runs it: with its settings, and with the renderer's own occlusion skipping on or off.
+
+#include <string>
+#include <vector>
+
+#include "experiments/technique_list.h"
+
+namespace lode::experiments {
+
+struct Method {
+  std::string name;  ///< of its rows: "convex_culling:mode=safe", with " + skips" if the renderer skips, too
+  TechniqueChoice technique;
+  bool renderer_skips = false;  ///< what is behind what was drawn (Skips::occlusion); all other skips are always on
+};
+
+/// "technique:k=v" or "technique:k=v + skips". Throws Error as read_technique does.
+[[nodiscard]] Method make_method(std::string_view text);
+
+/// A method at work on a world, prepared.
+class PreparedMethod {
+ public:
+  PreparedMethod(const Method& method, const techniques::World& world, const raster::RenderOptions& options);
+
+  /// What the method took for one frame, ms.
+  struct Times {
+    double technique_ms = 0.0, render_ms = 0.0;
+    [[nodiscard]] double frame_ms() const { return technique_ms + render_ms; }
+  };
+  /// Decides and draws.
+  Times draw(const techniques::View& view, raster::Image& image);
+
+  [[nodiscard]] const Method& method() const { return method_; }
+  [[nodiscard]] techniques::Promise promise() const { return technique_.promise(); }
+  [[nodiscard]] double prepare_ms() const { return prepare_ms_; }
+  // Of the last frame.
+  [[nodiscard]] const techniques::Stage& stage() const { return stage_; }
+  [[nodiscard]] const techniques::Counters& counters() const { return counters_; }
+  [[nodiscard]] std::uint64_t counter(std::string_view name) const;  ///< 0 if the technique has none of the name
+  [[nodiscard]] const raster::FrameStats& work() const { return work_; }
+
+ private:
+  Method method_;
+  raster::RenderOptions options_;
+  raster::FrameMemory memory_;
+  techniques::Stage stage_;
+  AnyTechnique technique_;
+  double prepare_ms_ = 0.0;
+  techniques::Counters counters_;
+  raster::FrameStats work_;
+};
+
+}  // namespace lode::experiments

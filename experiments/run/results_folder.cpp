@@ -1,0 +1,46 @@
+#include "experiments/run/results_folder.h"
+
+#include <filesystem>
+
+#include "experiments/error.h"
+#include "experiments/whole_file.h"
+
+namespace lode::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const char* what, const std::error_code& error) {
+  throw Error(Status::bad_input, path + ": " + what + ": " + error.message());
+}
+
+void write(const std::string& path, const std::string& text) {
+  WholeFile file(path);
+  file.file().write(text.data(), text.size());
+  publish({&file});
+}
+
+}  // namespace
+
+ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
+  const fs::path path(folder);
+  hidden_ = (path.parent_path() / ("." + path.filename().string() + ".unfinished")).string();
+  std::error_code error;
+  fs::remove_all(hidden_, error);
+  if (error) fail(hidden_, "cannot be removed", error);
+  fs::create_directories(images(), error);
+  if (error) fail(images(), "cannot be made", error);
+}
+
+void ResultsFolder::publish(const ExperimentResults& results, const std::string& summary_json) {
+  write(hidden_ + "/results.csv", csv_text(results.results));
+  write(hidden_ + "/times.csv", csv_text(results.times));
+  write(hidden_ + "/summary.json", summary_json);
+  std::error_code error;
+  fs::remove_all(folder_, error);
+  if (error) fail(folder_, "cannot be removed", error);
+  fs::rename(hidden_, folder_, error);
+  if (error) fail(folder_, "cannot be made", error);
+}
+
+}  // namespace lode::experiments

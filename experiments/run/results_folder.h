@@ -1,0 +1,25 @@
+#pragma once
+/// The folder that an experiment's results go to. They appear whole or not at all: everything is written into a hidden
+/// folder beside it, which takes its name when all is done.
+
+#include <string>
+
+#include "experiments/experiment.h"
+
+namespace lode::experiments {
+
+class ResultsFolder {
+ public:
+  /// `folder` is DIR/EXPERIMENT. Makes the hidden one, empty but for images/. Throws Error (bad_input, machine_failed).
+  explicit ResultsFolder(const std::string& folder);
+
+  [[nodiscard]] std::string images() const { return hidden_ + "/images"; }
+
+  /// Writes results.csv, times.csv and summary.json, and puts the folder in its place. What was there before is gone.
+  void publish(const ExperimentResults& results, const std::string& summary_json);
+
+ private:
+  std::string folder_, hidden_;
+};
+
+}  // namespace lode::experiments

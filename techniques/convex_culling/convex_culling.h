@@ -1,0 +1,51 @@
+#pragma once
+/// Occlusion culling with a hierarchical convex approximation of models: Onozawa and Kitazawa (README.md). Each shape
+/// is approximated once by a few convex hulls at several levels; at run time the hulls of a few good occluders, on
+/// about a hundred slabs of the screen, tell which boxes are hidden (techniques/slab_culling.h).
+///
+/// What it promises depends on the mode:
+///   literal        approximate: as the paper has it. Hulls stick out of models, corners move to slabs, nothing is said
+///                  about depth: what is visible may be left out
+///   safe           approximate: a hull hides only what is behind all of it. Bulges and slabs remain
+///   conservative   no point of the screen is lost: hulls are shrunk into the model until that is proven
+///                  (geometry/inner_hulls.h), and slabs are columns
+
+#include "techniques/convex_culling/convex_approximation.h"
+#include "techniques/slab_culling.h"
+
+namespace lode::techniques {
+
+class ConvexCulling {
+ public:
+  enum class Mode : std::uint8_t { literal, safe, conservative };
+
+  struct Params {
+    Mode mode = Mode::safe;
+    convex_culling::ApproximationParams approximation;  ///< limits empty: 6 % and 13 % of a shape's vertices
+    /// Candidates have an A(S) of at least this quantile of all objects', 0…1; the paper pre-selects and does not say
+    /// how.
+    double least_area_quantile = 0.5;
+    double largest_error = 0.1;  ///< and a relative error at the last level of at most this
+    SlabCullingParams slabs;     ///< as params_for() has them for the mode
+  };
+  /// The mode's rules: literal has no depth rule, draws every occluder and moves corners to slabs; safe has the depth
+  /// rule; conservative has that, columns, and no occluder that the near plane may cut.
+  [[nodiscard]] static Params params_for(Mode mode);
+
+  ConvexCulling() : ConvexCulling(params_for(Mode::safe)) {}
+  explicit ConvexCulling(const Params& params) : params_(params), culling_(params.slabs) {}
+
+  [[nodiscard]] Promise promise() const {
+    return params_.mode == Mode::conservative ? Promise::conservative_continuous : Promise::approximate;
+  }
+  /// Approximates every shape that may occlude, on the stage's threads. O(n log² n) for shapes of n triangles.
+  void prepare(Stage& stage);
+  void cut() {}
+  Counters draw(const View& view, Stage& stage) { return culling_.draw(view, stage); }
+
+ private:
+  Params params_;
+  SlabCulling culling_;
+};
+
+}  // namespace lode::techniques
