@@ -5,6 +5,7 @@
 #include "techniques/convex_culling/convex_culling.h"
 #include "techniques/frustum_culling/frustum_culling.h"
 #include "techniques/hierarchical_z/hierarchical_z.h"
+#include "techniques/inner_boxes/inner_boxes.h"
 #include "techniques/masked_occlusion/masked_occlusion.h"
 #include "techniques/plain/plain.h"
 
@@ -27,11 +28,6 @@ techniques::OccluderRule occluder_rule(const ParameterValues& v) {
 
 AnyTechnique make_hierarchical_z(const ParameterValues& v) {
   return AnyTechnique(techniques::HierarchicalZ({.occluders = occluder_rule(v), .scale = 1 << int(v.at("scale"))}));
-}
-
-AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  const auto shape = techniques::MaskedShape(int(v.at("shape")));
-  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v), .shape = shape}));
 }
 
 /// Of everything that tests boxes against convex parts on slabs.
@@ -58,6 +54,31 @@ AnyTechnique make_convex_culling(const ParameterValues& v) {
   return AnyTechnique(techniques::ConvexCulling(params));
 }
 
+std::vector<Parameter> with_box_parameters(std::vector<Parameter> parameters) {
+  const geometry::InnerBoxesParams boxes;
+  parameters.push_back({"boxes", "in a shape at most", 0, 1000, double(boxes.n_most), true});
+  parameters.push_back({"resolution", "cells on the longest side of a part", 1, 64, double(boxes.resolution), true});
+  parameters.push_back({"least_share", "of a shape's volume that a box adds", 0.001, 1, boxes.least_share});
+  return parameters;
+}
+
+geometry::InnerBoxesParams box_parameters(const ParameterValues& v) {
+  return {.resolution = int(v.at("resolution")), .n_most = int(v.at("boxes")), .least_share = v.at("least_share")};
+}
+
+AnyTechnique make_inner_boxes(const ParameterValues& v) {
+  techniques::InnerBoxes::Params params;
+  params.boxes = box_parameters(v);
+  set_slab_parameters(v, params.slabs);
+  return AnyTechnique(techniques::InnerBoxes(params));
+}
+
+AnyTechnique make_masked_occlusion(const ParameterValues& v) {
+  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v),
+                                                   .shape = techniques::MaskedShape(int(v.at("shape"))),
+                                                   .boxes = box_parameters(v)}));
+}
+
 std::vector<TechniqueEntry> make_list() {
   return {
       {"plain",
@@ -73,11 +94,14 @@ std::vector<TechniqueEntry> make_list() {
                                                   {"1", "2", "4", "8", "16", "32", "64"}, 0)}),
        make_hierarchical_z},
       {"masked_occlusion", "Objects whose box is behind a masked depth buffer of the occluders' triangles are left out",
-       with_occluder_parameters(
-           {choice_parameter("shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls"}, 0)}),
+       with_occluder_parameters(with_box_parameters({choice_parameter(
+           "shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls", "inner_boxes"}, 0)})),
        make_masked_occlusion},
       {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
-       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe"}, 1)}), make_convex_culling},
+       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),
+       make_convex_culling},
+      {"inner_boxes", "Objects whose box is covered by boxes inside the occluders, on slabs, are left out",
+       with_slab_parameters(with_box_parameters({})), make_inner_boxes},
   };
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -50,14 +51,35 @@ int exact_orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2
   return det.sign();
 }
 
-int exact_orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-  const std::array<Integer, 12> v = as_integers<12>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z});
-  const auto from_a = [&](std::size_t point, std::size_t axis) { return Integer(v[3 * point + axis] - v[axis]); };
-  const Integer bx = from_a(1, 0), by = from_a(1, 1), bz = from_a(1, 2);
-  const Integer cx = from_a(2, 0), cy = from_a(2, 1), cz = from_a(2, 2);
-  const Integer det =
-      (by * cz - bz * cy) * from_a(3, 0) + (bz * cx - bx * cz) * from_a(3, 1) + (bx * cy - by * cx) * from_a(3, 2);
+/// ((b − a) × (d − c)) · (p − a)
+int exact_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
+               const glm::dvec3& p) {
+  const std::array<Integer, 15> v =
+      as_integers<15>({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, p.x, p.y, p.z});
+  const auto difference = [&](std::size_t to, std::size_t from, std::size_t axis) {
+    return Integer(v[3 * to + axis] - v[3 * from + axis]);
+  };
+  const Integer bx = difference(1, 0, 0), by = difference(1, 0, 1), bz = difference(1, 0, 2);
+  const Integer dx = difference(3, 2, 0), dy = difference(3, 2, 1), dz = difference(3, 2, 2);
+  const Integer det = (by * dz - bz * dy) * difference(4, 0, 0) + (bz * dx - bx * dz) * difference(4, 0, 1) +
+                      (bx * dy - by * dx) * difference(4, 0, 2);
   return det.sign();
+}
+
+/// The sign of (p × q) · r, each of them one rounded difference; nothing where rounding could have changed it.
+std::optional<int> sure_sign(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
+  const double yz = p.y * q.z, zy = p.z * q.y, zx = p.z * q.x, xz = p.x * q.z, xy = p.x * q.y, yx = p.y * q.x;
+  const double det = ((yz - zy) * r.x + (zx - xz) * r.y) + (xy - yx) * r.z;
+  // Seven roundings at most on the way from a coordinate difference to the sum, each (1 + u): 16u of the computed sum
+  // of magnitudes covers them and its own. An underflow loses at most 2^-1074 in each product, times |r| ≤ 2^1024;
+  // a magnitude that large against the smallest product is left to the exact path by the second condition.
+  const double magnitude =
+      ((std::fabs(yz) + std::fabs(zy)) * std::fabs(r.x) + (std::fabs(zx) + std::fabs(xz)) * std::fabs(r.y)) +
+      (std::fabs(xy) + std::fabs(yx)) * std::fabs(r.z);
+  const double largest_r = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
+  const bool safe = std::isfinite(magnitude) && magnitude > kSmallestSafe && magnitude > 0x1p-1000 * largest_r;
+  if (safe && std::fabs(det) > 0x1p-49 * magnitude) return sign(det);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -77,19 +99,16 @@ int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   const std::array<double, 12> all = {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z};
   check_finite(all.data(), all.data() + all.size());
-  const glm::dvec3 p = b - a, q = c - a, r = d - a;
-  const double yz = p.y * q.z, zy = p.z * q.y, zx = p.z * q.x, xz = p.x * q.z, xy = p.x * q.y, yx = p.y * q.x;
-  const double det = ((yz - zy) * r.x + (zx - xz) * r.y) + (xy - yx) * r.z;
-  // Seven roundings at most on the way from a coordinate difference to the sum, each (1 + u): 16u of the computed sum
-  // of magnitudes covers them and its own. An underflow loses at most 2^-1074 in each product, times |r| ≤ 2^1024;
-  // a magnitude that large against the smallest product is left to the exact path by the second condition.
-  const double magnitude =
-      ((std::fabs(yz) + std::fabs(zy)) * std::fabs(r.x) + (std::fabs(zx) + std::fabs(xz)) * std::fabs(r.y)) +
-      (std::fabs(xy) + std::fabs(yx)) * std::fabs(r.z);
-  const double largest_r = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
-  const bool safe = std::isfinite(magnitude) && magnitude > kSmallestSafe && magnitude > 0x1p-1000 * largest_r;
-  if (safe && std::fabs(det) > 0x1p-49 * magnitude) return sign(det);
-  return exact_orientation(a, b, c, d);
+  const std::optional<int> sure = sure_sign(b - a, c - a, d - a);
+  return sure ? *sure : exact_side(a, b, a, c, d);
+}
+
+int side_of_directions(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
+                       const glm::dvec3& p) {
+  const std::array<double, 15> all = {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, p.x, p.y, p.z};
+  check_finite(all.data(), all.data() + all.size());
+  const std::optional<int> sure = sure_sign(b - a, d - c, p - a);
+  return sure ? *sure : exact_side(a, b, c, d, p);
 }
 
 }  // namespace lode::geometry

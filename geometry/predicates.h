@@ -17,4 +17,10 @@ namespace lode::geometry {
 /// plane: the sign of ((b − a) × (c − a)) · (d − a). All coordinates finite (checked: std::logic_error).
 [[nodiscard]] int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
+/// On which side of a plane that is given by two directions, those of ab and cd, and goes through a: the sign of
+/// ((b − a) × (d − c)) · (p − a). 0 for every p if they are parallel. All coordinates finite (checked:
+/// std::logic_error).
+[[nodiscard]] int side_of_directions(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
+                                     const glm::dvec3& p);
+
 }  // namespace lode::geometry

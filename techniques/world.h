@@ -31,12 +31,14 @@ struct WorldObject {
 };
 
 /// The triangles of an object, whatever their materials, in the space of its first instance. Objects of the same meshes
-/// in the same places relative to each other share one.
+/// in the same places relative to each other share one. What is front (scene_draws.h) is counter-clockwise.
 struct Shape {
   std::vector<glm::vec3> positions;    ///< [n]
   std::vector<std::uint32_t> indices;  ///< [3 · triangles], each < n
   /// Only opaque triangles, so that what it covers hides what is behind it.
   bool hides = false;
+  /// Every position is one of the scene's, unchanged: all instances stand in the same place.
+  bool exact = true;
 };
 
 class World {

@@ -44,10 +44,8 @@ void MaskedOcclusion::prepare(Stage& stage) {
   if (params_.shape == MaskedShape::hulls) {
     hulls_ = world.once<std::vector<StandIn>>("masked_occlusion: hulls", [&] { return hulls_of(world); });
   }
-  boxes_.clear();
-  for (std::uint32_t k = 0; k < world.n_shapes() && params_.shape == MaskedShape::inner_boxes; ++k) {
-    const Shape shape = world.shape(k);
-    boxes_.push_back(shape.hides ? params_.inner_boxes(shape) : std::vector<geometry::Bounds>{});
+  if (params_.shape == MaskedShape::inner_boxes) {
+    boxes_ = inner_boxes_of_shapes(world, areas_, params_.boxes, stage.threads());
   }
 }
 

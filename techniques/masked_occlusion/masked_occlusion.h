@@ -11,6 +11,7 @@
 
 #include <memory>
 
+#include "techniques/inner_shapes.h"
 #include "techniques/masked_occlusion/draw_occluder.h"
 #include "techniques/masked_occlusion/masked_depth.h"
 #include "techniques/masked_occlusion/stand_ins.h"
@@ -24,7 +25,7 @@ namespace lode::techniques {
 enum class MaskedShape : std::uint8_t {
   meshes,      ///< the object's own triangles
   hulls,       ///< its convex hull
-  inner_boxes  ///< boxes inside it, from Params::inner_boxes
+  inner_boxes  ///< boxes inside it, where it is closed (inner_shapes.h)
 };
 
 class MaskedOcclusion {
@@ -32,7 +33,7 @@ class MaskedOcclusion {
   struct Params {
     OccluderRule occluders;
     MaskedShape shape = MaskedShape::meshes;
-    InnerBoxes inner_boxes = {};  ///< called once for each shape that hides; only with MaskedShape::inner_boxes
+    geometry::InnerBoxesParams boxes = {};  ///< with MaskedShape::inner_boxes
   };
   MaskedOcclusion() = default;
   explicit MaskedOcclusion(Params params) : params_(std::move(params)) {}
