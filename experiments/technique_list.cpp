@@ -30,11 +30,6 @@ AnyTechnique make_hierarchical_z(const ParameterValues& v) {
   return AnyTechnique(techniques::HierarchicalZ({.occluders = occluder_rule(v), .scale = 1 << int(v.at("scale"))}));
 }
 
-AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  const auto shape = techniques::OccluderShape(int(v.at("shape")));
-  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v), .shape = shape}));
-}
-
 /// Of everything that tests boxes against convex parts on slabs.
 std::vector<Parameter> with_slab_parameters(std::vector<Parameter> parameters) {
   const techniques::SlabCullingParams slabs;
@@ -78,6 +73,12 @@ AnyTechnique make_inner_boxes(const ParameterValues& v) {
   return AnyTechnique(techniques::InnerBoxes(params));
 }
 
+AnyTechnique make_masked_occlusion(const ParameterValues& v) {
+  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v),
+                                                   .shape = techniques::MaskedShape(int(v.at("shape"))),
+                                                   .boxes = box_parameters(v)}));
+}
+
 std::vector<TechniqueEntry> make_list() {
   return {
       {"plain",
@@ -93,8 +94,8 @@ std::vector<TechniqueEntry> make_list() {
                                                   {"1", "2", "4", "8", "16", "32", "64"}, 0)}),
        make_hierarchical_z},
       {"masked_occlusion", "Objects whose box is behind a masked depth buffer of the occluders' triangles are left out",
-       with_occluder_parameters(
-           {choice_parameter("shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls"}, 0)}),
+       with_occluder_parameters(with_box_parameters({choice_parameter(
+           "shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls", "inner_boxes"}, 0)})),
        make_masked_occlusion},
       {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
        with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),

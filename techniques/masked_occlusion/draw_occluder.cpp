@@ -19,8 +19,8 @@ class TriangleDrawer {
     ++work_.triangles;
     if ((a.outside & b.outside & c.outside) != 0) return;
     if ((a.outside | b.outside | c.outside) != 0) {
-      const bool finite = a.outside != kNotANumber && b.outside != kNotANumber && c.outside != kNotANumber;
-      return finite ? draw_clipped({a.clip, b.clip, c.clip}) : void();
+      if (a.outside == kNotANumber || b.outside == kNotANumber || c.outside == kNotANumber) return;
+      return draw_clipped({a.clip, b.clip, c.clip});
     }
     const ScreenTriangle triangle = {{a.p_fx8, b.p_fx8, c.p_fx8}, {a.z, b.z, c.z}};
     const std::int64_t area = doubled_area(triangle);

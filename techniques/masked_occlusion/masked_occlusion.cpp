@@ -13,6 +13,16 @@ struct Placed {
   std::optional<ScreenBox> box;
 };
 
+/// [shapes]; those of shapes that hide nothing are empty.
+std::vector<StandIn> hulls_of(const World& world) {
+  std::vector<StandIn> hulls;
+  for (std::uint32_t k = 0; k < world.n_shapes(); ++k) {
+    const Shape shape = world.shape(k);
+    hulls.push_back(shape.hides ? hull_of(shape) : StandIn{});
+  }
+  return hulls;
+}
+
 /// The working layer keeps more in this order, and the buffer so far can spare the next ones. What reaches the near
 /// plane comes first; ties by id.
 template <class BoxOf>
@@ -31,14 +41,11 @@ std::vector<Placed> nearest_first(std::span<const ObjectId> ids, const BoxOf& bo
 void MaskedOcclusion::prepare(Stage& stage) {
   const World& world = stage.world();
   areas_ = occluder_areas(world);
-  hulls_.clear();
-  boxes_.clear();
-  if (params_.shape == OccluderShape::meshes) return;
-  for (std::uint32_t k = 0; k < world.n_shapes(); ++k) {
-    const Shape shape = world.shape(k);
-    const bool hulls = params_.shape == OccluderShape::hulls;
-    hulls_.push_back(hulls && shape.hides ? hull_of(shape) : StandIn{});
-    boxes_.push_back(!hulls && shape.hides ? params_.inner_boxes(shape) : std::vector<geometry::Bounds>{});
+  if (params_.shape == MaskedShape::hulls) {
+    hulls_ = world.once<std::vector<StandIn>>("masked_occlusion: hulls", [&] { return hulls_of(world); });
+  }
+  if (params_.shape == MaskedShape::inner_boxes) {
+    boxes_ = inner_boxes_of_shapes(world, areas_, params_.boxes, stage.threads());
   }
 }
 
@@ -98,7 +105,7 @@ void MaskedOcclusion::draw_occluder(const View& view, const World& world, Object
                                     OccluderWork& work) {
   const glm::dmat4 clip_from_world = geometry::clip_from_world(view.camera, view.size_px);
   const WorldObject& object = world.objects()[id];
-  if (params_.shape == OccluderShape::meshes) {
+  if (params_.shape == MaskedShape::meshes) {
     for (std::uint32_t k = 0; k < object.n_instances; ++k) {
       drawer_.draw(world.draws().draw(object.first_instance + k, clip_from_world), view.size_px, buffer_, work);
     }
@@ -106,11 +113,11 @@ void MaskedOcclusion::draw_occluder(const View& view, const World& world, Object
   }
   if (!box) return;
   StandIn boxes;
-  if (params_.shape == OccluderShape::inner_boxes) {
+  if (params_.shape == MaskedShape::inner_boxes) {
     const glm::dvec3 inset = inset_of(view, object.bounds, object.world_from_shape);
     for (const geometry::Bounds& inner : boxes_[object.shape]) add_box(inner, inset, boxes);
   }
-  const StandIn& stand_in = params_.shape == OccluderShape::hulls ? hulls_[object.shape] : boxes;
+  const StandIn& stand_in = params_.shape == MaskedShape::hulls ? (*hulls_)[object.shape] : boxes;
   drawer_.draw(stand_in_draw(stand_in, clip_from_world, object.world_from_shape), view.size_px, buffer_, work);
 }
 

@@ -9,6 +9,9 @@
 /// (screen_box.h). Inner boxes keep the promise for models that are closed (stand_ins.h). With hulls in the models'
 /// place it is approximate: hulls cover what the models leave free.
 
+#include <memory>
+
+#include "techniques/inner_shapes.h"
 #include "techniques/masked_occlusion/draw_occluder.h"
 #include "techniques/masked_occlusion/masked_depth.h"
 #include "techniques/masked_occlusion/stand_ins.h"
@@ -19,24 +22,24 @@
 namespace lode::techniques {
 
 /// What is drawn into the buffer for an occluder.
-enum class OccluderShape : std::uint8_t {
+enum class MaskedShape : std::uint8_t {
   meshes,      ///< the object's own triangles
   hulls,       ///< its convex hull
-  inner_boxes  ///< boxes inside it, from Params::inner_boxes
+  inner_boxes  ///< boxes inside it, where it is closed (inner_shapes.h)
 };
 
 class MaskedOcclusion {
  public:
   struct Params {
     OccluderRule occluders;
-    OccluderShape shape = OccluderShape::meshes;
-    FindBoxes inner_boxes = {};  ///< called once for each shape that hides; only with OccluderShape::inner_boxes
+    MaskedShape shape = MaskedShape::meshes;
+    geometry::InnerBoxesParams boxes = {};  ///< with MaskedShape::inner_boxes
   };
   MaskedOcclusion() = default;
   explicit MaskedOcclusion(Params params) : params_(std::move(params)) {}
 
   [[nodiscard]] Promise promise() const {
-    return params_.shape == OccluderShape::hulls ? Promise::approximate : Promise::conservative_sampled;
+    return params_.shape == MaskedShape::hulls ? Promise::approximate : Promise::conservative_sampled;
   }
   void prepare(Stage& stage);
   void cut() {}
@@ -49,9 +52,9 @@ class MaskedOcclusion {
   void draw_occluder(const View& view, const World& world, ObjectId id, const OnScreen& box, OccluderWork& work);
 
   Params params_;
-  std::vector<double> areas_;                         ///< [objects]
-  std::vector<StandIn> hulls_;                        ///< [shapes] with OccluderShape::hulls
-  std::vector<std::vector<geometry::Bounds>> boxes_;  ///< [shapes] with OccluderShape::inner_boxes
+  std::vector<double> areas_;                          ///< [objects]
+  std::shared_ptr<const std::vector<StandIn>> hulls_;  ///< [shapes] with MaskedShape::hulls
+  std::vector<std::vector<geometry::Bounds>> boxes_;   ///< [shapes] with MaskedShape::inner_boxes
   MaskedDepth buffer_;
   OccluderDrawer drawer_;
 };

@@ -8,7 +8,7 @@
 /// √2/256 px of a sample that the shrunk box covers lies on the model's, which is nearer there: the ball of that length
 /// around a point of the shrunk box lies in the box.
 
-#include <functional>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -27,10 +27,6 @@ struct StandIn {
 
 /// The convex hull of all of a shape's vertices; no triangles for a shape that is flat or not finite.
 [[nodiscard]] StandIn hull_of(const Shape& shape);
-
-/// Boxes in a shape's space that lie inside it. The shape has to be closed and outward there: whoever looks at a box
-/// from outside the model looks at a front face of the model first.
-using FindBoxes = std::function<std::vector<geometry::Bounds>(const Shape&)>;
 
 /// A box as twelve triangles, smaller by `inset` on either side of each axis, rounded inwards; no triangles if nothing
 /// is left.
