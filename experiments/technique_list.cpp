@@ -30,10 +30,6 @@ AnyTechnique make_hierarchical_z(const ParameterValues& v) {
   return AnyTechnique(techniques::HierarchicalZ({.occluders = occluder_rule(v), .scale = 1 << int(v.at("scale"))}));
 }
 
-AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v)}));
-}
-
 /// Of everything that tests boxes against convex parts on slabs.
 std::vector<Parameter> with_slab_parameters(std::vector<Parameter> parameters) {
   const techniques::SlabCullingParams slabs;
@@ -70,6 +66,12 @@ geometry::InnerBoxesParams box_parameters(const ParameterValues& v) {
   return {.resolution = int(v.at("resolution")), .n_most = int(v.at("boxes")), .least_share = v.at("least_share")};
 }
 
+AnyTechnique make_masked_occlusion(const ParameterValues& v) {
+  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v),
+                                                   .input = techniques::MaskedOcclusion::Input(int(v.at("input"))),
+                                                   .boxes = box_parameters(v)}));
+}
+
 AnyTechnique make_inner_boxes(const ParameterValues& v) {
   techniques::InnerBoxes::Params params;
   params.boxes = box_parameters(v);
@@ -92,7 +94,9 @@ std::vector<TechniqueEntry> make_list() {
                                                   {"1", "2", "4", "8", "16", "32", "64"}, 0)}),
        make_hierarchical_z},
       {"masked_occlusion", "Objects whose box is behind a masked depth buffer of the occluders' triangles are left out",
-       with_occluder_parameters({}), make_masked_occlusion},
+       with_occluder_parameters(with_box_parameters(
+           {choice_parameter("input", "what stands for an occluder", {"triangles", "inner_boxes"}, 0)})),
+       make_masked_occlusion},
       {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
        with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe"}, 1)}), make_convex_culling},
       {"inner_boxes", "Objects whose box is covered by boxes inside the occluders, on slabs, are left out",

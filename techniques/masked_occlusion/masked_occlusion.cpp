@@ -1,8 +1,41 @@
 #include "techniques/masked_occlusion/masked_occlusion.h"
 
+#include "geometry/projected_hull.h"
+#include "techniques/masked_occlusion/draw_inner_box.h"
 #include "techniques/objects_in_view.h"
 
 namespace lode::techniques {
+
+void MaskedOcclusion::prepare(Stage& stage) {
+  const World& world = stage.world();
+  areas_ = occluder_areas(world);
+  boxes_ = nullptr;
+  if (params_.input == Input::triangles) return;
+  boxes_ = inner_boxes_of_shapes(world, areas_, params_.boxes, stage.threads());
+  for (ObjectId id = 0; id < areas_.size(); ++id) {
+    if ((*boxes_)[world.objects()[id].shape].empty()) areas_[id] = 0.0;
+  }
+}
+
+/// Boxes stand only for objects that lie in front of the near plane: what it cuts away of an object would not hide what
+/// its boxes hide.
+void MaskedOcclusion::draw_occluder(const View& view, const World& world, ObjectId id, OccluderWork& work) {
+  const WorldObject& object = world.objects()[id];
+  const glm::dmat4 clip_from_world = geometry::clip_from_world(view.camera, view.size_px);
+  if (!boxes_) {
+    for (std::uint32_t k = 0; k < object.n_instances; ++k) {
+      drawer_.draw(world.draws().draw(object.first_instance + k, clip_from_world), view.size_px, buffer_, work);
+    }
+    return;
+  }
+  const auto corners = geometry::corners(object.bounds);
+  const auto whole = geometry::project_hull(corners, clip_from_world, glm::dvec2(view.size_px));
+  if (whole.near_plane != geometry::NearPlane::in_front) return;
+  for (const geometry::Bounds& box : (*boxes_)[object.shape]) {
+    draw_inner_box(box, clip_from_world * object.world_from_shape, geometry::mirrors(object.world_from_shape),
+                   view.size_px, buffer_, work);
+  }
+}
 
 Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
   const World& world = stage.world();
@@ -28,10 +61,7 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
         ++n_hidden;
         continue;
       }
-      const WorldObject& object = world.objects()[id];
-      for (std::uint32_t k = 0; k < object.n_instances; ++k) {
-        drawer_.draw(world.draws().draw(object.first_instance + k, clip_from_world), view.size_px, buffer_, work);
-      }
+      draw_occluder(view, world, id, work);
     }
   }
   // Occluders are tested like all others. Where one of them is the nearest, nothing else hides it: so what hides
