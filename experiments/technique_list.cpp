@@ -67,9 +67,9 @@ geometry::InnerBoxesParams box_parameters(const ParameterValues& v) {
 }
 
 AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  return AnyTechnique(techniques::MaskedOcclusion({.occluders = occluder_rule(v),
-                                                   .input = techniques::MaskedOcclusion::Input(int(v.at("input"))),
-                                                   .boxes = box_parameters(v)}));
+  const auto shape = techniques::OccluderShape(int(v.at("shape")));
+  return AnyTechnique(
+      techniques::MaskedOcclusion({.occluders = occluder_rule(v), .shape = shape, .boxes = box_parameters(v)}));
 }
 
 AnyTechnique make_inner_boxes(const ParameterValues& v) {
@@ -94,11 +94,12 @@ std::vector<TechniqueEntry> make_list() {
                                                   {"1", "2", "4", "8", "16", "32", "64"}, 0)}),
        make_hierarchical_z},
       {"masked_occlusion", "Objects whose box is behind a masked depth buffer of the occluders' triangles are left out",
-       with_occluder_parameters(with_box_parameters(
-           {choice_parameter("input", "what stands for an occluder", {"triangles", "inner_boxes"}, 0)})),
+       with_occluder_parameters(with_box_parameters({choice_parameter(
+           "shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls", "inner_boxes"}, 0)})),
        make_masked_occlusion},
       {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
-       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe"}, 1)}), make_convex_culling},
+       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),
+       make_convex_culling},
       {"inner_boxes", "Objects whose box is covered by boxes inside the occluders, on slabs, are left out",
        with_slab_parameters(with_box_parameters({})), make_inner_boxes},
   };

@@ -14,7 +14,7 @@ namespace lode::techniques {
 /// How many occluders there are. The paper leaves the three open.
 struct OccluderRule {
   double least_degree = 0.0;  ///< [0, 1]; those below are none
-  int most = 64;              ///< ≥ 0; no more than these, the best
+  int most = 32;              ///< ≥ 0; no more than these, the best
   /// World units: the degree is 0 from here on. 0: the diagonal of the box of the world and the eye, so that a scene
   /// seen from outside has occluders too.
   double far = 0.0;

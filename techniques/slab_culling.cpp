@@ -24,7 +24,7 @@ bool may_hold(std::span<const glm::vec3> points, const glm::dmat4& object_from_w
   return glm::all(glm::lessThanEqual(box.low, eye)) && glm::all(glm::lessThanEqual(eye, box.high));
 }
 
-bool has_parts(const OccluderShape& shape) {
+bool has_parts(const OccluderParts& shape) {
   return std::any_of(shape.levels.begin(), shape.levels.end(), [](const auto& level) { return !level.empty(); });
 }
 
@@ -38,11 +38,11 @@ SlabCulling::SlabCulling(const SlabCullingParams& params)
   slab_params_.mode = params.slabs;
 }
 
-void SlabCulling::prepare(std::vector<OccluderShape> shapes, std::vector<double> areas) {
+void SlabCulling::prepare(std::vector<OccluderParts> shapes, std::vector<double> areas) {
   shapes_ = std::move(shapes);
   areas_ = std::move(areas);
   n_levels_ = 0;
-  for (const OccluderShape& shape : shapes_) n_levels_ = std::max(n_levels_, shape.levels.size());
+  for (const OccluderParts& shape : shapes_) n_levels_ = std::max(n_levels_, shape.levels.size());
 }
 
 /// Alg. 3.
@@ -120,7 +120,7 @@ void SlabCulling::project_occluders(const View& view, const World& world, std::s
   parts_.clear();
   slab_occluders_.clear();
   for (const ObjectId id : occluders_) {
-    const OccluderShape& shape = shapes_[world.objects()[id].shape];
+    const OccluderParts& shape = shapes_[world.objects()[id].shape];
     if (level >= shape.levels.size()) continue;
     if (params_.whole_occluders_only) {
       const auto corners = geometry::corners(world.objects()[id].bounds);

@@ -49,7 +49,7 @@ struct SlabCullingParams {
 
 /// What stands for the objects of one shape: at each level, coarse to fine, convex parts, each by its points in the
 /// shape's space. No level, or no part: it hides nothing.
-struct OccluderShape {
+struct OccluderParts {
   std::vector<std::vector<std::vector<glm::vec3>>> levels;
 };
 
@@ -61,7 +61,7 @@ class SlabCulling {
   /// Once per scene.
   ///   shapes   [World::n_shapes()]
   ///   areas    [objects] A(S) of eq. 4; 0: never an occluder
-  void prepare(std::vector<OccluderShape> shapes, std::vector<double> areas);
+  void prepare(std::vector<OccluderParts> shapes, std::vector<double> areas);
 
   /// Draws what is in the view and not found hidden. objects_in_view, occluders, tested, culled; parts, part_points
   /// (projected).
@@ -86,7 +86,7 @@ class SlabCulling {
   SlabCullingParams params_;
   geometry::SlabParams slab_params_;
   double least_cosine_ = -1.0;
-  std::vector<OccluderShape> shapes_;
+  std::vector<OccluderParts> shapes_;
   std::vector<double> areas_;
   std::size_t n_levels_ = 0;
 

@@ -12,7 +12,7 @@ using geometry::MeshKind;
 using geometry::Scene;
 
 glm::dmat4 shape_from_instance(const Scene& scene, std::uint32_t first, std::uint32_t instance) {
-  if (first == instance) return glm::dmat4(1.0);
+  if (scene.instances[first].world_from_object == scene.instances[instance].world_from_object) return glm::dmat4(1.0);
   return glm::inverse(scene.instances[first].world_from_object) * scene.instances[instance].world_from_object;
 }
 
@@ -82,8 +82,10 @@ Shape World::shape(std::uint32_t index) const {
     if (mesh.kind != MeshKind::triangles) continue;
     const auto offset = std::uint32_t(shape.positions.size());
     const glm::dmat4 place = shape_from_instance(scene, object.first_instance, instance);
+    const bool same_place = place == glm::dmat4(1.0);
+    shape.exact = shape.exact && same_place;
     for (const glm::vec3& p : mesh.positions) {
-      shape.positions.push_back(k == 0 ? p : glm::vec3(place * glm::dvec4(p, 1.0)));
+      shape.positions.push_back(same_place ? p : glm::vec3(place * glm::dvec4(p, 1.0)));
     }
     const std::size_t first_corner = shape.indices.size();
     for (const std::uint32_t i : mesh.indices) shape.indices.push_back(offset + i);

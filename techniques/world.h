@@ -37,6 +37,8 @@ struct Shape {
   std::vector<std::uint32_t> indices;  ///< [3 · triangles], each < n
   /// Only opaque triangles, so that what it covers hides what is behind it.
   bool hides = false;
+  /// Every position is one of the scene's, unchanged: all instances stand in the same place.
+  bool exact = true;
 };
 
 class World {

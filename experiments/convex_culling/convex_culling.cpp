@@ -18,8 +18,10 @@ constexpr const char* kMethods[] = {"plain",
                                     "frustum_culling",
                                     "hierarchical_z",
                                     "masked_occlusion",
+                                    "inner_boxes",
                                     "convex_culling:mode=literal",
-                                    "convex_culling:mode=safe"};
+                                    "convex_culling:mode=safe",
+                                    "convex_culling:mode=conservative"};
 
 /// How much of a walk the quick size looks at.
 constexpr int kQuickFrames = 12, kQuickViewpoints = 24, kFullViewpoints = 1000;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/inner_hulls.h"
+#include "geometry/solid.h"
 #include "raster/parallel.h"
 
 namespace lode::techniques {
@@ -28,6 +30,32 @@ std::vector<ConvexApproximation> approximations(const World& world, std::span<co
     if (wanted[i] == 0) return;
     const Shape shape = world.shape(std::uint32_t(i));
     all[i] = convex_culling::approximate(shape.positions, shape.indices, params);
+  });
+  return all;
+}
+
+using Levels = std::vector<std::vector<std::vector<glm::vec3>>>;  ///< OccluderParts::levels
+
+Levels hulls_of(const ConvexApproximation& approximation) {
+  Levels levels;
+  for (const convex_culling::ApproximationLevel& level : approximation.levels) levels.push_back(level.hulls);
+  return levels;
+}
+
+/// The hulls, shrunk into the models. A shape whose positions were rounded is not the model to the last bit: it has
+/// none.
+std::vector<Levels> inner_levels(const World& world, std::span<const ConvexApproximation> approximations, int threads) {
+  std::vector<Levels> all(approximations.size());
+  raster::parallel_for(all.size(), raster::worker_count(threads), [&](std::size_t i, int) {
+    if (approximations[i].levels.empty()) return;
+    const Shape shape = world.shape(std::uint32_t(i));
+    if (!shape.exact) return;
+    const geometry::Solid solid(shape.positions, shape.indices);
+    for (const convex_culling::ApproximationLevel& level : approximations[i].levels) {
+      auto& inner = all[i].emplace_back();
+      for (geometry::InnerHull& hull : geometry::inner_hulls(solid, level.hulls))
+        inner.push_back(std::move(hull.points));
+    }
   });
   return all;
 }
@@ -67,13 +95,20 @@ void ConvexCulling::prepare(Stage& stage) {
   }
   const auto found = world.once<std::vector<ConvexApproximation>>(
       key_of(params_), [&] { return approximations(world, wanted, params_.approximation, stage.threads()); });
-  std::vector<OccluderShape> shapes(world.n_shapes());
+  std::shared_ptr<const std::vector<Levels>> inner;
+  if (params_.mode == Mode::conservative) {
+    inner = world.once<std::vector<Levels>>(key_of(params_) + "; inner",
+                                            [&] { return inner_levels(world, *found, stage.threads()); });
+  }
+  std::vector<OccluderParts> shapes(world.n_shapes());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const ConvexApproximation& approximation = (*found)[i];
     const std::size_t n_levels = approximation.levels.size();
-    if (n_levels == 0 || approximation.relative_error(n_levels - 1) > params_.largest_error) continue;
-    for (const convex_culling::ApproximationLevel& level : approximation.levels) {
-      shapes[i].levels.push_back(level.hulls);
+    if (n_levels == 0) continue;
+    if (inner) {  // however they err as approximations, they hide nothing that is seen
+      shapes[i].levels = (*inner)[i];
+    } else if (approximation.relative_error(n_levels - 1) <= params_.largest_error) {
+      shapes[i].levels = hulls_of(approximation);
     }
   }
   culling_.prepare(std::move(shapes), std::move(areas));

@@ -18,7 +18,7 @@ void InnerBoxes::prepare(Stage& stage) {
   std::vector<double> areas = occluder_areas(stage.world());
   const auto found = inner_boxes_of_shapes(stage.world(), areas, params_.boxes, stage.threads());
   const ShapeBoxes& boxes = *found;
-  std::vector<OccluderShape> shapes(boxes.size());
+  std::vector<OccluderParts> shapes(boxes.size());
   n_boxes_ = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (boxes[i].empty()) continue;

@@ -6,40 +6,32 @@
 #include <vector>
 
 #include "raster/frame.h"
-#include "raster/reference/clip.h"
+#include "techniques/masked_occlusion/cluster_walk.h"
+#include "techniques/masked_occlusion/occluder_vertex.h"
 #include "techniques/masked_occlusion/screen_triangle.h"
 
 namespace lode::techniques {
 
 /// Work done, added up.
 struct OccluderWork {
-  std::uint64_t triangles = 0;  ///< looked at
-  std::uint64_t drawn = 0;      ///< of them, with a sample
-  std::uint64_t subtiles = 0;   ///< given a part of one
+  std::uint64_t triangles = 0;         ///< looked at
+  std::uint64_t drawn = 0;             ///< of them, with a sample
+  std::uint64_t subtiles_written = 0;  ///< given a part of one
+  std::uint64_t subtiles_read = 0;     ///< to find what is hidden already
 };
 
 /// Draws one draw after the other; keeps its memory.
 class OccluderDrawer {
  public:
   /// Draws nothing for what the picture would not show for sure: triangles with a NaN, and those whose clipped outline
-  /// the snap turns over in part.
+  /// the snap turns over in part. Of a draw with clusters, leaves out those that would not show.
   ///   draw      triangles in object space, opaque, order-free
   ///   size_px   of the picture, which the buffer was begun with
   void draw(const raster::Draw& draw, glm::ivec2 size_px, MaskedDepth& buffer, OccluderWork& work);
 
  private:
-  struct Vertex {
-    glm::dvec4 clip;
-    glm::ivec2 p_fx8;
-    double z;
-    std::uint32_t outside;  ///< planes; all bits where it has a NaN; where not 0, neither p_fx8 nor z is there
-  };
-  void draw_triangle(std::uint32_t i, std::uint32_t j, std::uint32_t k, MaskedDepth& buffer, OccluderWork& work);
-  void draw_clipped(const Vertex& a, const Vertex& b, const Vertex& c, MaskedDepth& buffer, OccluderWork& work) const;
-
-  raster::reference::Viewport viewport_;
-  raster::Cull cull_ = raster::Cull::none;
-  std::vector<Vertex> vertices_;
+  ClusterWalk walk_;
+  std::vector<OccluderVertex> vertices_;
 };
 
 }  // namespace lode::techniques

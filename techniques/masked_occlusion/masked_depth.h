@@ -1,6 +1,6 @@
 #pragma once
 /// The masked depth buffer: for each 8 × 4 samples two depths and a mask, in the place of 32 depths (Hasselgren,
-/// Andersson, Akenine-Möller 2016, sec. 3). What it says about a sample is a bound, never nearer than the nearest
+/// Andersson, Akenine-Möller 2016). What it says about a sample is a bound, never nearer than the nearest
 /// triangle drawn there.
 
 #include <cstdint>
@@ -46,9 +46,9 @@ class MaskedDepth {
     float reference = 0.0f;
     float working = 0.0f;
   };
-  /// Algorithm 2 (sec. 3.2). In contrast to the paper a part that covers the whole subtile sets the reference at once
-  /// and leaves what is nearer in the working layer, and a part behind the reference never enters: the reference can
-  /// only come nearer.
+  /// The paper's update of a tile. In contrast to the paper a part that covers the whole subtile sets the reference at
+  /// once and leaves what is nearer in the working layer, and a part behind the reference never enters: the reference
+  /// can only come nearer.
   static void merge(Subtile& s, std::uint32_t coverage, float farthest) {
     if (coverage == ~0u) {
       s.reference = farthest;

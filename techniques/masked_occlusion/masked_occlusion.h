@@ -6,30 +6,39 @@
 /// Promise: conservative at the picture's samples (pixel centres). The occluders' triangles cover exactly the samples
 /// that the renderer's cover (draw_occluder.h), at a depth that is nowhere nearer than the picture's
 /// (screen_triangle.h, masked_depth.h); what is left out can only have fragments strictly farther than that
-/// (screen_box.h). Boxes inside the occluders, in the place of their triangles, keep that promise (draw_inner_box.h).
+/// (screen_box.h). Inner boxes keep the promise for models that are closed (stand_ins.h). With hulls in the models'
+/// place it is approximate: hulls cover what the models leave free.
 
 #include "techniques/inner_shapes.h"
 #include "techniques/masked_occlusion/draw_occluder.h"
 #include "techniques/masked_occlusion/masked_depth.h"
+#include "techniques/masked_occlusion/stand_ins.h"
 #include "techniques/occluder_choice.h"
+#include "techniques/screen_box.h"
 #include "techniques/stage.h"
 
 namespace lode::techniques {
 
+/// What is drawn into the buffer for an occluder.
+enum class OccluderShape : std::uint8_t {
+  meshes,      ///< the object's own triangles
+  hulls,       ///< its convex hull
+  inner_boxes  ///< boxes inside it (geometry/inner_boxes.h)
+};
+
 class MaskedOcclusion {
  public:
-  /// What stands for an occluder: all of its triangles, or a few boxes inside of it.
-  enum class Input : std::uint8_t { triangles, inner_boxes };
-
   struct Params {
     OccluderRule occluders;
-    Input input = Input::triangles;
-    geometry::InnerBoxesParams boxes;  ///< of that input
+    OccluderShape shape = OccluderShape::meshes;
+    geometry::InnerBoxesParams boxes = {};  ///< of OccluderShape::inner_boxes
   };
   MaskedOcclusion() = default;
   explicit MaskedOcclusion(const Params& params) : params_(params) {}
 
-  [[nodiscard]] Promise promise() const { return Promise::conservative_sampled; }
+  [[nodiscard]] Promise promise() const {
+    return params_.shape == OccluderShape::hulls ? Promise::approximate : Promise::conservative_sampled;
+  }
   void prepare(Stage& stage);
   void cut() {}
   /// objects_in_view, occluders, tested, culled; occluders_hidden (not drawn into the buffer), triangles,
@@ -37,11 +46,13 @@ class MaskedOcclusion {
   Counters draw(const View& view, Stage& stage);
 
  private:
-  void draw_occluder(const View& view, const World& world, ObjectId id, OccluderWork& work);
+  using OnScreen = std::optional<ScreenBox>;
+  void draw_occluder(const View& view, const World& world, ObjectId id, const OnScreen& box, OccluderWork& work);
 
   Params params_;
   std::vector<double> areas_;                ///< [objects]
-  std::shared_ptr<const ShapeBoxes> boxes_;  ///< none if triangles are drawn
+  std::vector<StandIn> hulls_;               ///< [shapes] with OccluderShape::hulls
+  std::shared_ptr<const ShapeBoxes> boxes_;  ///< with OccluderShape::inner_boxes
   MaskedDepth buffer_;
   OccluderDrawer drawer_;
 };

@@ -62,6 +62,17 @@ class Showing {
   techniques::Stage stage_;
 };
 
+/// Makes objects of one to three instances each.
+inline void group(geometry::Scene& scene, std::uint64_t seed) {
+  const auto n = std::uint32_t(scene.instances.size());
+  for (std::uint32_t first = 0; first < n;) {
+    geometry::Random random(seed, 4, first);
+    const std::uint32_t n_instances = std::min(1 + random.below(3), n - first);
+    scene.objects.push_back({.name = {}, .first_instance = first, .n_instances = n_instances});
+    first += n_instances;
+  }
+}
+
 /// Boxes, balls and walls around the origin, some of them turned, mirrored, see-through, there twice, or in one plane.
 inline geometry::Scene random_scene(std::uint64_t seed, int n_objects) {
   geometry::Scene scene;
@@ -88,6 +99,7 @@ inline geometry::Scene random_scene(std::uint64_t seed, int n_objects) {
     geometry::add_instance(scene, mesh, material, place);
     if (random.below(8) == 0) geometry::add_instance(scene, mesh, material, place);
   }
+  if (seed % 4 >= 2) group(scene, seed);
   return scene;
 }
 
@@ -125,6 +137,7 @@ inline geometry::Scene lattice_scene(std::uint64_t seed, int n_objects) {
     material.double_sided = random.below(3) == 0;
     geometry::add_instance(scene, geometry::box(low, high), material);
   }
+  if (seed % 4 >= 2) group(scene, seed);
   return scene;
 }
 
