@@ -114,6 +114,11 @@ std::optional<Candidate> best_box(const InnerGrid& grid) {
     best = Candidate{box, added};
     best_score = score;
   };
+  const CellBox everything = {glm::ivec3(0), grid.size()};
+  if (grid.all_inside(everything)) {
+    consider(everything);
+    return best;
+  }
   for (const glm::ivec3& seed : seeds(grid)) {
     consider(grown_evenly(grid, {seed, seed + 1}));
     for (const auto& axes : kOrders) consider(grown_along(grid, {seed, seed + 1}, axes));

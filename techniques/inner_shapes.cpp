@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "raster/parallel.h"
 
@@ -34,20 +35,26 @@ std::vector<geometry::Bounds> boxes_in(const Shape& shape, const geometry::Inner
   return boxes;
 }
 
-}  // namespace
-
-std::vector<std::vector<geometry::Bounds>> inner_boxes_of_shapes(const World& world, std::span<const double> areas,
-                                                                 const geometry::InnerBoxesParams& params,
-                                                                 int threads) {
+ShapeBoxes boxes_of_shapes(const World& world, std::span<const double> areas, const geometry::InnerBoxesParams& params,
+                           int threads) {
   std::vector<std::uint8_t> wanted(world.n_shapes(), 0);
   for (ObjectId id = 0; id < areas.size(); ++id) {
     if (areas[id] > 0.0) wanted[world.objects()[id].shape] = 1;
   }
-  std::vector<std::vector<geometry::Bounds>> boxes(world.n_shapes());
+  ShapeBoxes boxes(world.n_shapes());
   raster::parallel_for(boxes.size(), raster::worker_count(threads), [&](std::size_t i, int) {
     if (wanted[i] != 0) boxes[i] = boxes_in(world.shape(std::uint32_t(i)), params);
   });
   return boxes;
+}
+
+}  // namespace
+
+std::shared_ptr<const ShapeBoxes> inner_boxes_of_shapes(const World& world, std::span<const double> areas,
+                                                        const geometry::InnerBoxesParams& params, int threads) {
+  const std::string key = "inner boxes; " + std::to_string(params.resolution) + "; " + std::to_string(params.n_most) +
+                          "; " + std::to_string(params.least_share);
+  return world.once<ShapeBoxes>(key, [&] { return boxes_of_shapes(world, areas, params, threads); });
 }
 
 }  // namespace lode::techniques

@@ -16,7 +16,8 @@ SlabCullingParams InnerBoxes::default_slabs() {
 /// Corners are rounded to floats: by much less than what the boxes were made smaller by.
 void InnerBoxes::prepare(Stage& stage) {
   std::vector<double> areas = occluder_areas(stage.world());
-  const auto boxes = inner_boxes_of_shapes(stage.world(), areas, params_.boxes, stage.threads());
+  const auto found = inner_boxes_of_shapes(stage.world(), areas, params_.boxes, stage.threads());
+  const ShapeBoxes& boxes = *found;
   std::vector<OccluderParts> shapes(boxes.size());
   n_boxes_ = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

