@@ -30,7 +30,7 @@ void expect_the_same_pictures(std::uint64_t n_views, const SceneOf& scene_of, co
     Showing masked(world, MaskedOcclusion{});
     Showing boxes(world,
                   MaskedOcclusion(
-                      {.occluders = {}, .shape = techniques::OccluderShape::inner_boxes, .boxes = {.resolution = 4}}));
+                      {.occluders = {}, .shape = techniques::MaskedShape::inner_boxes, .boxes = {.resolution = 4}}));
     for (std::uint64_t k = 0; k < kViewsPerScene; ++k) {
       const View view = view_of(1000 + seed, k);
       const TechniquePicture expected = plain.picture(view);
