@@ -40,7 +40,7 @@ std::vector<std::uint32_t> vertices_by_place(std::span<const glm::vec3> position
   std::vector<std::uint32_t> order(indices.begin(), indices.end()), place(positions.size());
   const auto key = [&](std::uint32_t i) { return std::tuple(positions[i].x, positions[i].y, positions[i].z); };
   std::ranges::sort(order);
-  order.erase(std::ranges::unique(order).begin(), order.end());
+  order.erase(std::unique(order.begin(), order.end()), order.end());
   std::ranges::stable_sort(order, {}, key);
   for (std::size_t k = 0; k < order.size(); ++k) {
     place[order[k]] = k > 0 && key(order[k]) == key(order[k - 1]) ? place[order[k - 1]] : order[k];

@@ -164,7 +164,7 @@ bool ConvexBody::misses(const SpaceTriangle& triangle) const {
     if (beyond_face && face_separates(face, triangle)) return true;
   }
   if (inside[0] || inside[1] || inside[2]) return false;
-  const auto& [a, b, c] = triangle;
+  const glm::dvec3 &a = triangle[0], &b = triangle[1], &c = triangle[2];
   if (plane_separates([&](const glm::dvec3& p) { return orientation(a, b, c, p); }, triangle)) return true;
   return std::ranges::any_of(edges_, [&](const Edge& edge) { return edge_separates(edge, triangle); });
 }

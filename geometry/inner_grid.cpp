@@ -43,7 +43,7 @@ std::vector<float> planes_along(const Solid::Part& part, int axis, int n) {
     if (!close) planes.push_back(float(at));
   }
   std::ranges::sort(planes);
-  planes.erase(std::ranges::unique(planes).begin(), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
   return planes;
 }
 

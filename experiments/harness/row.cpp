@@ -64,8 +64,8 @@ std::string rows_json(std::span<const Row> rows) {
   ordered_json all = ordered_json::array();
   for (const Row& row : rows) {
     ordered_json one = ordered_json::object();
-    for (const auto& [name, value] : row.cells()) {
-      std::visit([&](const auto& v) { one[name] = v; }, value);
+    for (const auto& cell : row.cells()) {
+      std::visit([&](const auto& value) { one[cell.first] = value; }, cell.second);
     }
     all.push_back(std::move(one));
   }

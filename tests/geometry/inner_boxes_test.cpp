@@ -91,7 +91,7 @@ TEST(InnerBoxes, AreAsManyAsAskedForAndAddTheShareAskedFor) {
 TEST(InnerBoxes, DoNotDependOnTheOrderOfTriangles) {
   const test::Soup soup = soup_of(torus({0, 0, 0}, 2.0, 0.5, 12, 8));
   test::Soup turned = soup;
-  std::ranges::rotate(turned.indices, turned.indices.begin() + 3 * 50);
+  std::rotate(turned.indices.begin(), turned.indices.begin() + 3 * 50, turned.indices.end());
   const std::vector<Bounds> a = inner_boxes(soup.solid(), {.resolution = 12});
   const std::vector<Bounds> b = inner_boxes(turned.solid(), {.resolution = 12});
   ASSERT_EQ(a.size(), b.size());
