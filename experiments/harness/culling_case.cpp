@@ -17,7 +17,7 @@ using techniques::ObjectId;
 
 template <class Plane>
 bool same(const Plane& a, const Plane& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
 }
 bool same_picture(const raster::Image& a, const raster::Image& b) {
   return same(a.rgba8, b.rgba8) && same(a.rgba32f, b.rgba32f) && same(a.depth, b.depth) && same(a.ids, b.ids);

@@ -111,7 +111,8 @@ inline techniques::View random_view(std::uint64_t seed, std::uint64_t element) {
   view.size_px = {30 + int(random.below(120)), 30 + int(random.below(80))};
   const double x = coordinate(), y = coordinate(), z = coordinate();
   const glm::dvec3 eye(x, y, z);
-  geometry::look_at(view.camera, eye, 0.3 * glm::dvec3(coordinate(), coordinate(), coordinate()));
+  const double at_x = coordinate(), at_y = coordinate(), at_z = coordinate();  // one after the other on any compiler
+  geometry::look_at(view.camera, eye, 0.3 * glm::dvec3(at_x, at_y, at_z));
   view.camera.near = random.below(2) == 0 ? 0.01 : 0.5;
   if (random.below(3) == 0) view.camera.far = 25.0;
   if (random.below(5) == 0) {
