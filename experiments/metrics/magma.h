@@ -1,5 +1,5 @@
 #pragma once
-/// The colour map "magma" of Smith and van der Walt (matplotlib; CC0): black over purple and orange to pale
+/// The colour map "magma" of Smith and van der Walt (matplotlib): black over purple and orange to pale
 /// yellow, of evenly growing lightness. FLIP's maps are shown in it.
 
 #include <cstdint>
