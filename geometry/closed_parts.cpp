@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <string>
 #include <tuple>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 
 namespace lode::geometry {
@@ -48,23 +48,6 @@ std::vector<std::uint32_t> vertices_by_place(std::span<const glm::vec3> position
   return place;
 }
 
-/// Sets of triangles that are joined one by one.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t first(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = first(i), j = first(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 struct EdgeUse {
   std::uint32_t low, high;  ///< vertices
   std::uint32_t triangle;
@@ -72,7 +55,7 @@ struct EdgeUse {
 };
 
 /// Joins the triangles along each edge; returns those at edges that do not balance.
-std::vector<std::uint32_t> join_along_edges(std::span<const Corners> triangles, Groups& groups) {
+std::vector<std::uint32_t> join_along_edges(std::span<const Corners> triangles, DisjointSets& groups) {
   std::vector<EdgeUse> uses;
   uses.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -124,13 +107,13 @@ ClosedParts closed_parts(std::span<const glm::vec3> positions, std::span<const s
       triangles.push_back(t);
     }
   }
-  Groups groups(triangles.size());
+  DisjointSets groups(triangles.size());
   std::vector<bool> open(triangles.size());  // of the first triangle of each part
-  for (const std::uint32_t t : join_along_edges(triangles, groups)) open[groups.first(t)] = true;
+  for (const std::uint32_t t : join_along_edges(triangles, groups)) open[groups.lowest(t)] = true;
 
   std::vector<std::vector<SpaceTriangle>> closed(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const std::uint32_t first = groups.first(t);
+    const std::uint32_t first = groups.lowest(t);
     if (first == t && open[first]) ++parts.n_open;
     if (open[first]) continue;
     const auto& [a, b, c] = triangles[t];

@@ -37,8 +37,8 @@ struct FrameStats {
   /// what was nearer than all of it, are not looked at and not counted.
   std::uint64_t fragments_covered = 0;
   std::uint64_t fragments_alpha_failed = 0;
-  /// Covered, but something nearer was there. Of clustered draws, also those that something nearer came over later:
-  /// all but one a sample.
+  /// Covered, but something nearer was there. Of clustered triangles up to 4×16 px, which are drawn many at a time in no
+  /// order, something at all.
   std::uint64_t fragments_depth_failed = 0;
   std::uint64_t fragments_shaded = 0;  ///< shader results computed, alpha tests included
   std::uint64_t fragments_blended = 0;

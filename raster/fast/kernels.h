@@ -75,9 +75,8 @@ struct RasterCounts {
   std::uint64_t triangles_in = 0, facing = 0, empty = 0, no_sample = 0, tiny = 0, medium = 0, large = 0;
   std::uint64_t blocks = 0, blocks_outside = 0, blocks_hidden = 0, fragments = 0;
   std::uint64_t fragments_passed = 0;  ///< nearer when they came; their order depends on the number of lanes
-  std::uint64_t fragments_new = 0;     ///< where nothing was
-  /// Those that do not count as failed. Of clusters, whose order is nobody's business, the new ones: that of all that
-  /// cover a sample one is seen does not depend on the order. Of others, those that passed.
+  /// Those that do not count as failed: nearer when they came; of tiny triangles, whose order depends on the number of
+  /// lanes, those where nothing was.
   std::uint64_t fragments_kept = 0;
 };
 

@@ -143,7 +143,7 @@ HWY_INLINE int DrawQuarter(const RasterJob& job, const LargeSetup& s, const Larg
     counts.fragments += n;
     if (n == 0) continue;
     passed += KeepNearer(job, tile, place + int(l), hn::RebindMask(f, inside), BothHalves(f, first.depth, second.depth),
-                         s.owner, counts);
+                         s.owner);
   }
   return passed;
 }

@@ -26,7 +26,7 @@ namespace HWY_NAMESPACE {
 /// A 4×4's old depths and owners against a triangle's new ones: writes the nearer; returns how many.
 template <class Mask>
 HWY_INLINE int KeepNearer(const RasterJob& job, TileBuffers& tile, int place, Mask covered, hn::Vec<Floats> z,
-                          std::uint32_t owner, RasterCounts& counts) {
+                          std::uint32_t owner) {
   const Floats f;
   const hn::RebindToUnsigned<Floats> u;
   const auto old = hn::Load(f, tile.depth + place);
@@ -42,7 +42,6 @@ HWY_INLINE int KeepNearer(const RasterJob& job, TileBuffers& tile, int place, Ma
   }
   const auto n = hn::CountTrue(f, wins);
   if (n == 0) return 0;
-  counts.fragments_new += hn::CountTrue(f, hn::And(covered, hn::Lt(old, hn::Zero(f))));
   hn::Store(hn::IfThenElse(wins, z, old), f, tile.depth + place);
   hn::Store(hn::IfThenElse(hn::RebindMask(u, wins), hn::Set(u, owner), hn::Load(u, tile.owner + place)), u,
             tile.owner + place);
@@ -123,7 +122,7 @@ HWY_INLINE int DrawMediumBlock(const RasterJob& job, const MediumTriangle& t, co
       FixDepths(job, t, x_px, y_px, l, BitsOf(f, doubt), depths);
       depth = hn::Load(f, depths);
     }
-    passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner, counts);
+    passed += KeepNearer(job, tile, place + int(l), covered, depth, t.owner);
   }
   if (passed) tile.written[place >> 6] = kStale | kTouched;
   return passed;

@@ -57,21 +57,21 @@ bool Rasterize(const RasterJob& job, TileBuffers& tile, RasterCounts& counts) {
   Sift(job, counts, sifted);
   counts.tiny += std::uint64_t(sifted.flat.n + sifted.tall.n + sifted.tower.n);
   counts.medium += std::uint64_t(sifted.medium.n);
-  const std::uint64_t new_before = counts.fragments_new;
   int passed = 0;
   for (const TriangleList* list : {&sifted.flat, &sifted.tall, &sifted.tower})
     passed += RasterizeTiny(job, *list, tile, counts);
-  passed += RasterizeMedium(job, sifted.medium, tile, counts);
+  int others_passed = RasterizeMedium(job, sifted.medium, tile, counts);
   for (int i = 0; i < sifted.n_others; ++i) {
     LoneTriangle lone;
     if (!TakeOut(job, sifted.others[i], counts, lone)) continue;
     ++counts.large;
     const int won = RasterizeLarge(job, lone, tile, counts);
     if (won > 0) job.marks[sifted.others[i]] = kWon | kWide;
-    passed += won;
+    others_passed += won;
   }
+  counts.fragments_kept += std::uint64_t(others_passed);
+  passed += others_passed;
   counts.fragments_passed += std::uint64_t(passed);
-  counts.fragments_kept += counts.fragments_new - new_before;
   return passed > 0;
 }
 

@@ -74,7 +74,7 @@ HWY_INLINE int Merge(const RasterJob& job, const Fragments& fragments, TileBuffe
     passed += wins;
     fresh += std::uint32_t(old_depth) >> 31;
   }
-  counts.fragments_new += fresh;
+  counts.fragments_kept += fresh;
   return int(passed);
 }
 static_assert(kWon == 1);

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/error.h"
 
 namespace lode::techniques::convex_culling {
@@ -37,23 +37,6 @@ void check(std::span<const glm::vec3> positions, std::span<const std::uint32_t> 
     }
   }
 }
-
-/// Groups that are joined; the lowest member stands for each.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  [[nodiscard]] std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// Vertices sorted by their cell of a grid; with cells of size 0, equal positions share one.
 class Cells {
@@ -88,7 +71,7 @@ class Cells {
 /// What shares a cell of half the distance is nearer than it. In the cells around, a few vertices are looked at: were
 /// it all, a heap of vertices in one cell would meet itself vertex by vertex.
 void join_near(std::span<const glm::vec3> positions, const std::vector<std::uint32_t>& used, const glm::dvec3& low,
-               double distance, Groups& groups) {
+               double distance, geometry::DisjointSets& groups) {
   constexpr std::size_t kLookedAt = 8;
   const Cells cells(positions, used, low, 0.5 * distance);
   for (const std::uint32_t i : used) {
@@ -114,13 +97,13 @@ WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint3
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (const std::uint32_t i : used) mesh.bounds.add(glm::dvec3(positions[i]));
 
-  Groups groups(positions.size());
+  geometry::DisjointSets groups(positions.size());
   join_near(positions, used, mesh.bounds.low, tolerance * mesh.bounds.diagonal(), groups);
   constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   std::vector<std::uint32_t> made(positions.size(), kNone);
   for (std::size_t i = 0; i < indices.size(); i += 3) {
-    const std::array<std::uint32_t, 3> old = {groups.of(indices[i]), groups.of(indices[i + 1]),
-                                              groups.of(indices[i + 2])};
+    const std::array<std::uint32_t, 3> old = {groups.lowest(indices[i]), groups.lowest(indices[i + 1]),
+                                              groups.lowest(indices[i + 2])};
     if (old[0] == old[1] || old[1] == old[2] || old[2] == old[0]) {
       ++mesh.n_dropped;
       continue;
