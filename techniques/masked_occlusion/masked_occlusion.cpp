@@ -46,6 +46,9 @@ void MaskedOcclusion::prepare(Stage& stage) {
   }
   if (params_.shape == MaskedShape::inner_boxes) {
     boxes_ = inner_boxes_of_shapes(world, areas_, params_.boxes, stage.threads());
+    for (ObjectId id = 0; id < areas_.size(); ++id) {
+      if ((*boxes_)[world.objects()[id].shape].empty()) areas_[id] = 0.0;
+    }
   }
 }
 
@@ -115,7 +118,7 @@ void MaskedOcclusion::draw_occluder(const View& view, const World& world, Object
   StandIn boxes;
   if (params_.shape == MaskedShape::inner_boxes) {
     const glm::dvec3 inset = inset_of(view, object.bounds, object.world_from_shape);
-    for (const geometry::Bounds& inner : boxes_[object.shape]) add_box(inner, inset, boxes);
+    for (const geometry::Bounds& inner : (*boxes_)[object.shape]) add_box(inner, inset, boxes);
   }
   const StandIn& stand_in = params_.shape == MaskedShape::hulls ? (*hulls_)[object.shape] : boxes;
   drawer_.draw(stand_in_draw(stand_in, clip_from_world, object.world_from_shape), view.size_px, buffer_, work);

@@ -54,7 +54,7 @@ class MaskedOcclusion {
   Params params_;
   std::vector<double> areas_;                          ///< [objects]
   std::shared_ptr<const std::vector<StandIn>> hulls_;  ///< [shapes] with MaskedShape::hulls
-  std::vector<std::vector<geometry::Bounds>> boxes_;   ///< [shapes] with MaskedShape::inner_boxes
+  std::shared_ptr<const ShapeBoxes> boxes_;            ///< [shapes] with MaskedShape::inner_boxes
   MaskedDepth buffer_;
   OccluderDrawer drawer_;
 };
