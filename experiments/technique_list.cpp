@@ -66,12 +66,6 @@ geometry::InnerBoxesParams box_parameters(const ParameterValues& v) {
   return {.resolution = int(v.at("resolution")), .n_most = int(v.at("boxes")), .least_share = v.at("least_share")};
 }
 
-AnyTechnique make_masked_occlusion(const ParameterValues& v) {
-  const auto shape = techniques::OccluderShape(int(v.at("shape")));
-  return AnyTechnique(
-      techniques::MaskedOcclusion({.occluders = occluder_rule(v), .shape = shape, .boxes = box_parameters(v)}));
-}
-
 AnyTechnique make_inner_boxes(const ParameterValues& v) {
   techniques::InnerBoxes::Params params;
   params.boxes = box_parameters(v);
