@@ -111,8 +111,8 @@ TEST(InnerBoxes, FillMostOfTheSofa) {
   EXPECT_GT(filled_share(solid, boxes, 20), 0.65);
 }
 
-// The table's top is half of it, and each of two rails of the apron and no leg, turned as it is, adds a hundredth. Of
-// the chair's 32 sticks eight hold boxes.
+// The table's top and two rails of its apron fill half of it, and no other box adds a hundredth. The chair's are cut
+// off at eight, the default.
 TEST(InnerBoxes, AreFewInATableAndAChair) {
   const Solid table_solid = soup_of(table()).solid(), chair_solid = soup_of(chair()).solid();
   EXPECT_EQ(table_solid.parts().size(), 53u);
