@@ -1,11 +1,13 @@
 #include "experiments/convex_culling/convex_culling.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <memory>
 
+#include "experiments/convex_culling/attribution.h"
 #include "experiments/convex_culling/section.h"
 #include "experiments/convex_culling/summary.h"
 #include "experiments/harness/case_pictures.h"
@@ -32,6 +34,9 @@ constexpr const char* kMethods[] = {"plain",
 
 /// Whose pictures are kept: the frame of each walk in which it loses the most.
 constexpr const char* kShownMethod = "convex_culling:mode=safe";
+
+/// Whose losses are traced to their causes.
+constexpr std::array kAttributed = {"convex_culling:mode=literal", "convex_culling:mode=safe"};
 
 /// How much of a walk the quick size looks at.
 constexpr int kQuickFrames = 12, kQuickViewpoints = 24, kFullViewpoints = 1000;
@@ -76,7 +81,7 @@ std::vector<Method> methods() {
 
 /// What a finished case depends on, beside the program itself.
 std::string key_of(const CullingCase& one, const ExperimentRun& run) {
-  std::string key = "convex_culling case 1; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
+  std::string key = "convex_culling case 2; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
                     std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
   for (const Method& method : methods()) key += " " + settings_of(method) + ";";
@@ -89,13 +94,16 @@ struct FinishedCase {
   std::vector<Row> files;  ///< name, bytes (base64)
 };
 std::string text_of(const FinishedCase& one) {
-  return rows_json(one.result.results) + "\n" + rows_json(one.result.times) + "\n" + rows_json(one.files);
+  return rows_json(one.result.results) + "\n" + rows_json(one.result.times) + "\n" + rows_json(one.result.losses) +
+         "\n" + rows_json(one.files);
 }
 bool read_case(std::string_view text, FinishedCase& one) {
-  const std::size_t first = text.find('\n'), second = text.find('\n', first + 1);
-  return second != std::string_view::npos && rows_of(text.substr(0, first), one.result.results) &&
-         rows_of(text.substr(first + 1, second - first - 1), one.result.times) &&
-         rows_of(text.substr(second + 1), one.files);
+  for (std::vector<Row>* rows : {&one.result.results, &one.result.times, &one.result.losses, &one.files}) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (!rows_of(text.substr(0, end), *rows)) return false;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
 }
 
 std::string bytes_of(const std::string& file) {
@@ -117,6 +125,10 @@ class SceneBench {
     FinishedCase finished;
     finished.result =
         run_culling_case(one, *world_, pointers, run_.kept, run_.common.render_options(), [&] { progress.add(1); });
+    for (const Row& row : attributed_losses(one, finished.result, *world_, {kAttributed.begin(), kAttributed.end()},
+                                            run_.common.render_options())) {
+      finished.result.losses.push_back(row);
+    }
     const auto shown = std::find_if(methods_.begin(), methods_.end(),
                                     [](const auto& method) { return method->method().name == kShownMethod; });
     const std::size_t frame = telling_frame(one, finished.result, kShownMethod);
