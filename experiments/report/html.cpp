@@ -31,6 +31,15 @@ constexpr const char* kStyle = R"(
   .slider input { position: absolute; inset: auto 0 0 0; width: 100%; margin: 0; }
   pre { font: 13px/1.45 ui-monospace, monospace; background: var(--soft); padding: .75rem; overflow-x: auto; }
   .bad { color: var(--bad); } .good { color: var(--good); }
+  .two { display: grid; grid-template-columns: minmax(0, 30rem) minmax(0, 1fr); gap: 1.5rem; align-items: start; }
+  .three { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 1rem; }
+  .three figure { margin: 0; }
+  .two img, .three img { width: 100%; background: repeating-conic-gradient(#ccc 0 25%, #fff 0 50%) 0 0 / 16px 16px; }
+  .pixels img { image-rendering: pixelated; }
+  .part { padding: 1rem 0; }
+  pre { white-space: pre-wrap; overflow-wrap: anywhere; max-height: 26rem; overflow: auto; }
+  summary { cursor: pointer; margin: .75rem 0 .5rem; }
+  @media (max-width: 50rem) { .two, .three { grid-template-columns: minmax(0, 1fr); } }
 )";
 
 constexpr std::string_view kBase64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
