@@ -12,6 +12,7 @@
 #include "experiments/harness/kept_results.h"
 #include "experiments/harness/row.h"
 #include "experiments/parameter.h"
+#include "experiments/report/found_results.h"
 #include "experiments/streams.h"
 
 namespace lode::experiments {
@@ -38,6 +39,7 @@ struct Experiment {
   std::string summary;  ///< the question, in a line
   std::vector<Parameter> parameters;
   std::function<ExperimentResults(const ExperimentRun&)> run;
+  std::function<std::string(const FoundResults&)> section;  ///< of the report: HTML
 };
 
 [[nodiscard]] std::span<const Experiment> experiment_list();

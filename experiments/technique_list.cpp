@@ -48,9 +48,20 @@ void set_slab_parameters(const ParameterValues& v, techniques::SlabCullingParams
   slabs.levels = techniques::LevelRule(int(v.at("levels")));
 }
 
+/// To see which rule of a mode does what: "of_mode", or another.
+std::vector<Parameter> with_rule_parameters(std::vector<Parameter> parameters) {
+  parameters.push_back(
+      choice_parameter("depth_rule", "a hull hides only what is behind it", {"of_mode", "off", "on"}, 0));
+  parameters.push_back(
+      choice_parameter("slab_mode", "what a slab is", {"of_mode", "paper", "exact_x", "conservative"}, 0));
+  return with_slab_parameters(std::move(parameters));
+}
+
 AnyTechnique make_convex_culling(const ParameterValues& v) {
   auto params = techniques::ConvexCulling::params_for(techniques::ConvexCulling::Mode(int(v.at("mode"))));
   set_slab_parameters(v, params.slabs);
+  if (const int depth_rule = int(v.at("depth_rule")); depth_rule > 0) params.slabs.depth_rule = depth_rule == 2;
+  if (const int mode = int(v.at("slab_mode")); mode > 0) params.slabs.slabs = geometry::SlabMode(mode - 1);
   return AnyTechnique(techniques::ConvexCulling(params));
 }
 
@@ -98,7 +109,7 @@ std::vector<TechniqueEntry> make_list() {
            "shape", "what stands for an occluder; hulls are approximate", {"meshes", "hulls", "inner_boxes"}, 0)})),
        make_masked_occlusion},
       {"convex_culling", "Objects whose box is covered by convex hulls of the occluders, on slabs, are left out",
-       with_slab_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),
+       with_rule_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),
        make_convex_culling},
       {"inner_boxes", "Objects whose box is covered by boxes inside the occluders, on slabs, are left out",
        with_slab_parameters(with_box_parameters({})), make_inner_boxes},

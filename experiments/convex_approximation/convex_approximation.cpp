@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "experiments/convex_approximation/section.h"
 #include "experiments/progress.h"
 #include "geometry/model_file.h"
 #include "geometry/procedural/furniture.h"
@@ -145,8 +146,11 @@ ExperimentResults run(const ExperimentRun& run) {
 }  // namespace
 
 Experiment convex_approximation_experiment() {
-  return {
-      "convex_approximation", "How well a few convex hulls keep a model's silhouettes: the paper's Table 1", {}, run};
+  return {"convex_approximation",
+          "How well a few convex hulls keep a model's silhouettes: the paper's Table 1",
+          {},
+          run,
+          convex_approximation_section};
 }
 
 }  // namespace lode::experiments

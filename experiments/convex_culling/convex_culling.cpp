@@ -1,13 +1,22 @@
 #include "experiments/convex_culling/convex_culling.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
+#include "experiments/convex_culling/attribution.h"
+#include "experiments/convex_culling/section.h"
 #include "experiments/convex_culling/summary.h"
+#include "experiments/harness/case_pictures.h"
 #include "experiments/harness/culling_case.h"
 #include "experiments/harness/scene_hash.h"
 #include "experiments/progress.h"
+#include "experiments/report/html.h"
 #include "experiments/scenes/builtin_scene.h"
+#include "experiments/whole_file.h"
 #include "geometry/viewpoints.h"
 
 namespace lode::experiments {
@@ -22,6 +31,12 @@ constexpr const char* kMethods[] = {"plain",
                                     "convex_culling:mode=literal",
                                     "convex_culling:mode=safe",
                                     "convex_culling:mode=conservative"};
+
+/// Whose pictures are kept: the frame of each walk in which it loses the most.
+constexpr const char* kShownMethod = "convex_culling:mode=safe";
+
+/// Whose losses are traced to their causes.
+constexpr std::array kAttributed = {"convex_culling:mode=literal", "convex_culling:mode=safe"};
 
 /// How much of a walk the quick size looks at.
 constexpr int kQuickFrames = 12, kQuickViewpoints = 24, kFullViewpoints = 1000;
@@ -66,18 +81,34 @@ std::vector<Method> methods() {
 
 /// What a finished case depends on, beside the program itself.
 std::string key_of(const CullingCase& one, const ExperimentRun& run) {
-  std::string key = "convex_culling case 1; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
+  std::string key = "convex_culling case 2; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
                     std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
-  for (const Method& method : methods()) key += " " + method.name;
+  for (const Method& method : methods()) key += " " + settings_of(method) + ";";
   return key;
 }
 
-std::string text_of(const CaseResult& result) { return rows_json(result.results) + "\n" + rows_json(result.times); }
-bool read_case(std::string_view text, CaseResult& result) {
-  const std::size_t middle = text.find('\n');
-  return middle != std::string_view::npos && rows_of(text.substr(0, middle), result.results) &&
-         rows_of(text.substr(middle + 1), result.times);
+/// A case's rows and its pictures' files, as text and back.
+struct FinishedCase {
+  CaseResult result;
+  std::vector<Row> files;  ///< name, bytes (base64)
+};
+std::string text_of(const FinishedCase& one) {
+  return rows_json(one.result.results) + "\n" + rows_json(one.result.times) + "\n" + rows_json(one.result.losses) +
+         "\n" + rows_json(one.files);
+}
+bool read_case(std::string_view text, FinishedCase& one) {
+  for (std::vector<Row>* rows : {&one.result.results, &one.result.times, &one.result.losses, &one.files}) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (!rows_of(text.substr(0, end), *rows)) return false;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
+}
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 /// A scene's world and the methods prepared on it, made when the first case needs them.
@@ -85,13 +116,27 @@ class SceneBench {
  public:
   SceneBench(const geometry::Scene& scene, const ExperimentRun& run) : scene_(scene), run_(run) {}
 
-  CaseResult run(const CullingCase& one) {
+  FinishedCase run(const CullingCase& one) {
     prepare();
     Progress progress(run_.streams, run_.common, one.scene + ", " + one.path, "frames",
                       one.cameras.size() * std::uint64_t(2 + one.n_rounds));
     std::vector<PreparedMethod*> pointers;
     for (const auto& method : methods_) pointers.push_back(method.get());
-    return run_culling_case(one, *world_, pointers, run_.kept, run_.common.render_options(), [&] { progress.add(1); });
+    FinishedCase finished;
+    finished.result =
+        run_culling_case(one, *world_, pointers, run_.kept, run_.common.render_options(), [&] { progress.add(1); });
+    for (const Row& row : attributed_losses(one, finished.result, *world_, {kAttributed.begin(), kAttributed.end()},
+                                            run_.common.render_options())) {
+      finished.result.losses.push_back(row);
+    }
+    const auto shown = std::find_if(methods_.begin(), methods_.end(),
+                                    [](const auto& method) { return method->method().name == kShownMethod; });
+    const std::size_t frame = telling_frame(one, finished.result, kShownMethod);
+    for (const std::string& name :
+         write_case_pictures(one, frame, *world_, **shown, run_.common.render_options(), run_.images)) {
+      finished.files.emplace_back().add("name", name).add("bytes", base64(bytes_of(run_.images + "/" + name)));
+    }
+    return finished;
   }
 
  private:
@@ -118,19 +163,28 @@ void add(const CaseResult& from, ExperimentResults& to) {
   to.times.insert(to.times.end(), from.times.begin(), from.times.end());
 }
 
+void write_file(const std::string& path, const std::string& bytes_base64) {
+  const std::string bytes = from_base64(bytes_base64);
+  WholeFile file(path);
+  file.file().write(bytes.data(), bytes.size());
+  publish({&file});
+}
+
 void run_scene(const std::string& name, const ExperimentRun& run, ExperimentResults& results) {
   const geometry::Scene scene = make_builtin_scene(name);
   SceneBench bench(scene, run);
   for (const CullingCase& one : cases_of(scene, run)) {
     const std::string key = key_of(one, run);
-    CaseResult result;
+    FinishedCase finished;
     const std::optional<std::string> kept = run.kept.find(key);
-    if (!kept || !read_case(*kept, result)) {
-      result = bench.run(one);
-      run.kept.keep(key, text_of(result));
+    if (kept && read_case(*kept, finished)) {
+      for (const Row& file : finished.files) write_file(run.images + "/" + file.text("name"), file.text("bytes"));
+    } else {
+      finished = bench.run(one);
+      run.kept.keep(key, text_of(finished));
     }
-    add(result, results);
-    add_summary(result, results.summary);
+    add(finished.result, results);
+    add_summary(finished.result, results.summary);
   }
 }
 
@@ -147,8 +201,11 @@ ExperimentResults run(const ExperimentRun& run) {
 }  // namespace
 
 Experiment convex_culling_experiment() {
-  return {
-      "convex_culling", "What occlusion culling by convex hulls saves and what it loses, beside its rivals", {}, run};
+  return {"convex_culling",
+          "What occlusion culling by convex hulls saves and what it loses, beside its rivals",
+          {},
+          run,
+          convex_culling_section};
 }
 
 }  // namespace lode::experiments

@@ -74,6 +74,10 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     row.add("false_samples_4x4", std::int64_t(sum(found, "false_samples_4x4")));
     row.add("false_samples_random", std::int64_t(sum(found, "false_samples_random")));
     row.add("pictures_that_differ", differ);
+    for (const Row* losses : rows_of_method(result.losses, method)) {
+      for (const char* cause : {"depth_px", "snapping_px", "bulge_px"})
+        row.add(cause, std::int64_t(losses->number(cause)));
+    }
   }
 }
 

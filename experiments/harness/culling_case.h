@@ -29,6 +29,7 @@ struct CullingCase {
 struct CaseResult {
   std::vector<Row> results;  ///< a row for each frame and method; deterministic
   std::vector<Row> times;    ///< likewise: medians over the rounds, ms
+  std::vector<Row> losses;   ///< why, where an experiment asks: a row a method
 };
 
 /// Columns of `results` beside scene, path, frame, method, promise:

@@ -22,6 +22,14 @@ Method make_method(std::string_view text) {
   return {std::string(text), read_technique("method", technique), skips};
 }
 
+std::string settings_of(const Method& method) {
+  std::string text = method.technique.entry->name;
+  for (const Parameter& p : method.technique.entry->parameters) {
+    text += " " + p.name + "=" + value_text(p, method.technique.values.at(p.name));
+  }
+  return text + (method.renderer_skips ? " + skips" : "");
+}
+
 PreparedMethod::PreparedMethod(const Method& method, const techniques::World& world,
                                const raster::RenderOptions& options)
     : method_(method), options_(options), stage_(world, options), technique_(method.technique.make()) {
@@ -32,14 +40,14 @@ PreparedMethod::PreparedMethod(const Method& method, const techniques::World& wo
   prepare_ms_ = now_ms() - begin_ms;
 }
 
-PreparedMethod::Times PreparedMethod::draw(const techniques::View& view, raster::Image& image) {
+PreparedMethod::Times PreparedMethod::draw(const techniques::View& view, raster::Image& image, const glm::vec4& clear) {
   Times times;
   const double begin_ms = now_ms();
   stage_.begin(view);
   counters_ = technique_.draw(view, stage_);
   const std::span<const raster::Draw> draws = stage_.draws();
   const double decided_ms = now_ms();
-  work_ = raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, image, options_);
+  work_ = raster::render({.draws = draws, .clear = clear, .viewport = {}, .scissor = {}}, image, options_);
   times.technique_ms = decided_ms - begin_ms;
   times.render_ms = now_ms() - decided_ms;
   return times;

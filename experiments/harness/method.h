@@ -14,6 +14,9 @@ struct Method {
   bool renderer_skips = false;  ///< what is behind what was drawn (Skips::occlusion); all other skips are always on
 };
 
+/// Every setting, those that were not named, too: what a method's results depend on.
+[[nodiscard]] std::string settings_of(const Method& method);
+
 /// "technique:k=v" or "technique:k=v + skips". Throws Error as read_technique does.
 [[nodiscard]] Method make_method(std::string_view text);
 
@@ -28,7 +31,7 @@ class PreparedMethod {
     [[nodiscard]] double frame_ms() const { return technique_ms + render_ms; }
   };
   /// Decides and draws.
-  Times draw(const techniques::View& view, raster::Image& image);
+  Times draw(const techniques::View& view, raster::Image& image, const glm::vec4& clear = glm::vec4(0.0f));
 
   [[nodiscard]] const Method& method() const { return method_; }
   [[nodiscard]] techniques::Promise promise() const { return technique_.promise(); }

@@ -39,6 +39,11 @@ std::vector<ConvexApproximation> approximations(const World& world, std::span<co
   return all;
 }
 
+bool is_finite(const Shape& shape) {
+  return std::all_of(shape.positions.begin(), shape.positions.end(),
+                     [](const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+}
+
 using Levels = std::vector<std::vector<std::vector<glm::vec3>>>;  ///< OccluderParts::levels
 
 Levels hulls_of(const ConvexApproximation& approximation) {
@@ -54,7 +59,7 @@ std::vector<Levels> inner_levels(const World& world, std::span<const ConvexAppro
   raster::parallel_for(all.size(), raster::worker_count(threads), [&](std::size_t i, int) {
     if (approximations[i].levels.empty()) return;
     const Shape shape = world.shape(std::uint32_t(i));
-    if (!shape.exact) return;
+    if (!shape.exact || !is_finite(shape)) return;
     const geometry::Solid solid(shape.positions, shape.indices);
     for (const convex_culling::ApproximationLevel& level : approximations[i].levels) {
       auto& inner = all[i].emplace_back();

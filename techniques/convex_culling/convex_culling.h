@@ -36,7 +36,9 @@ class ConvexCulling {
   explicit ConvexCulling(const Params& params) : params_(params), culling_(params.slabs) {}
 
   [[nodiscard]] Promise promise() const {
-    return params_.mode == Mode::conservative ? Promise::conservative_continuous : Promise::approximate;
+    const bool rules = params_.slabs.depth_rule && params_.slabs.whole_occluders_only &&
+                       params_.slabs.slabs == geometry::SlabMode::conservative;
+    return params_.mode == Mode::conservative && rules ? Promise::conservative_continuous : Promise::approximate;
   }
   /// Approximates every shape that may occlude, on the stage's threads. O(n log² n) for shapes of n triangles.
   void prepare(Stage& stage);

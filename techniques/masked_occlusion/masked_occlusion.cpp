@@ -46,6 +46,9 @@ void MaskedOcclusion::prepare(Stage& stage) {
   }
   if (params_.shape == MaskedShape::inner_boxes) {
     boxes_ = inner_boxes_of_shapes(world, areas_, params_.boxes, stage.threads());
+    for (ObjectId id = 0; id < areas_.size(); ++id) {
+      if ((*boxes_)[world.objects()[id].shape].empty()) areas_[id] = 0.0;
+    }
   }
 }
 

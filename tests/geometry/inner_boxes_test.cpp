@@ -111,6 +111,21 @@ TEST(InnerBoxes, FillMostOfTheSofa) {
   EXPECT_GT(filled_share(solid, boxes, 20), 0.65);
 }
 
+// The table's top and two rails of its apron fill half of it, and no other box adds a hundredth. The chair's are cut
+// off at eight, the default.
+TEST(InnerBoxes, AreFewInATableAndAChair) {
+  const Solid table_solid = soup_of(table()).solid(), chair_solid = soup_of(chair()).solid();
+  EXPECT_EQ(table_solid.parts().size(), 53u);
+  EXPECT_EQ(chair_solid.parts().size(), 32u);
+  EXPECT_EQ(chair_solid.n_open(), 1u);  // the seat
+  const std::vector<Bounds> in_table = inner_boxes(table_solid), in_chair = inner_boxes(chair_solid);
+  EXPECT_EQ(in_table.size(), 3u);
+  EXPECT_EQ(in_chair.size(), 8u);
+  EXPECT_TRUE(all_contained(table_solid, in_table));
+  EXPECT_TRUE(all_contained(chair_solid, in_chair));
+  EXPECT_GT(filled_share(table_solid, in_table, 40), 0.4);
+}
+
 TEST(InnerHulls, ShrinkUntilTheyAreInsideOrAreDropped) {
   const Solid solid = soup_of(box(glm::dvec3(-1), glm::dvec3(1))).solid();
   const auto cube = [](float half, const glm::vec3& centre = glm::vec3(0)) {

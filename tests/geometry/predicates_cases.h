@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "geometry/predicates.h"
 #include "geometry/random.h"
 
 namespace lode::geometry::test {
@@ -27,6 +28,20 @@ inline int exact(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
   }
   const mpq_class det =
       (p[1] * q[2] - p[2] * q[1]) * r[0] + (p[2] * q[0] - p[0] * q[2]) * r[1] + (p[0] * q[1] - p[1] * q[0]) * r[2];
+  return sgn(det);
+}
+
+/// ((b − a) × (d − c)) · (p − a)
+inline int exact_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
+                      const glm::dvec3& p) {
+  mpq_class u[3], v[3], w[3];
+  for (int i = 0; i < 3; ++i) {
+    u[i] = mpq_class(b[i]) - mpq_class(a[i]);
+    v[i] = mpq_class(d[i]) - mpq_class(c[i]);
+    w[i] = mpq_class(p[i]) - mpq_class(a[i]);
+  }
+  const mpq_class det =
+      (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] + (u[0] * v[1] - u[1] * v[0]) * w[2];
   return sgn(det);
 }
 
@@ -96,6 +111,19 @@ void predicate_case(std::uint64_t i, Check2 check2, Check3 check3) {
   for (auto& p : p3) p = point<3>(random, kind);
   if (near) p3[3] = nearly_on<3>(random, p3);
   check3(p3[0], p3[1], p3[2], p3[3]);
+}
+
+/// Case i of a plane through two directions: whether its sign is wrong. Every other point is nearly in the plane.
+inline bool wrong_side(std::uint64_t i) {
+  Random random(2, 77, i);
+  glm::dvec3 p[5];
+  for (auto& q : p) q = point<3>(random, int(i % 7));
+  const double s = random.uniform(-1.0, 2.0), t = random.uniform(-1.0, 2.0);
+  for (int k = 0; k < 3 && i / 7 % 2 == 0; ++k) {
+    const double x = p[0][k] + s * (p[1][k] - p[0][k]) + t * (p[3][k] - p[2][k]);
+    if (std::isfinite(x)) p[4][k] = nudged(random, x);
+  }
+  return side_of_directions(p[0], p[1], p[2], p[3], p[4]) != exact_side(p[0], p[1], p[2], p[3], p[4]);
 }
 
 /// The number of wrong signs in cases [first, last).

@@ -47,6 +47,18 @@ TEST(Orientation, ChangesSignWhenTwoPointsAreSwapped) {
   }
 }
 
+TEST(SideOfDirections, IsPositiveWhereFirstAndSecondTurnCounterClockwise) {
+  const glm::dvec3 a(1, 2, 3), x(1, 0, 0), y(0, 1, 0), c(9, 9, 9);
+  EXPECT_EQ(side_of_directions(a, a + x, c, c + y, a + glm::dvec3(5, 5, 1)), 1);
+  EXPECT_EQ(side_of_directions(a, a + y, c, c + x, a + glm::dvec3(5, 5, 1)), -1);
+  EXPECT_EQ(side_of_directions(a, a + x, c, c + y, a + glm::dvec3(5, 5, 0)), 0);
+  EXPECT_EQ(side_of_directions(a, a + x, c, c + x, glm::dvec3(0)), 0);  // no plane
+}
+
+TEST(SideOfDirections, EqualsTheRationalsOnHardInputs) {
+  for (std::uint64_t i = 0; i < 10000; ++i) EXPECT_FALSE(test::wrong_side(i)) << i;
+}
+
 TEST(Orientation, RefusesWhatIsNotFinite) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)orientation(glm::dvec2(inf, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)), std::logic_error);

@@ -28,9 +28,9 @@ void expect_the_same_pictures(std::uint64_t n_views, const SceneOf& scene_of, co
     Showing exact(world, HierarchicalZ{});
     Showing coarse(world, HierarchicalZ({.occluders = {.most = 8}, .scale = 4}));
     Showing masked(world, MaskedOcclusion{});
-    Showing boxes(world,
-                  MaskedOcclusion(
-                      {.occluders = {}, .shape = techniques::MaskedShape::inner_boxes, .boxes = {.resolution = 4}}));
+    Showing boxes(
+        world,
+        MaskedOcclusion({.occluders = {}, .shape = techniques::MaskedShape::inner_boxes, .boxes = {.resolution = 4}}));
     for (std::uint64_t k = 0; k < kViewsPerScene; ++k) {
       const View view = view_of(1000 + seed, k);
       const TechniquePicture expected = plain.picture(view);

@@ -1,0 +1,12 @@
+#pragma once
+/// The part of the report on culling by convex hulls and its rivals.
+
+#include <string>
+
+#include "experiments/report/found_results.h"
+
+namespace lode::experiments {
+
+[[nodiscard]] std::string convex_culling_section(const FoundResults& found);
+
+}  // namespace lode::experiments

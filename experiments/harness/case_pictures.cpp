@@ -1,0 +1,148 @@
+#include "experiments/harness/case_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "experiments/harness/visible_samples.h"
+#include "experiments/whole_file.h"
+#include "geometry/image_file.h"
+#include "raster/render.h"
+#include "raster/srgb.h"
+#include "techniques/objects_in_view.h"
+
+namespace lode::experiments {
+namespace {
+
+using techniques::ObjectId;
+
+constexpr glm::vec4 kSky{0.35f, 0.5f, 0.65f, 1.0f};  // linear
+
+std::string one_digit(double value) {
+  std::array<char, 64> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 1);
+  return error == std::errc() ? std::string(text.data(), end) : "0";
+}
+
+/// What a top view says of an object, as a class of its style sheet.
+const char* class_of(bool in_view, bool drawn, bool owns_samples) {
+  if (!in_view) return "out";
+  if (drawn) return owns_samples ? "seen" : "kept";
+  return owns_samples ? "lost" : "culled";
+}
+
+constexpr const char* kTopStyle =
+    "<style>rect{stroke-width:1;vector-effect:non-scaling-stroke}.out{fill:#8882;stroke:#8886}.seen{fill:#2da44e88;"
+    "stroke:#2da44e}.kept{fill:#d4a72c88;stroke:#d4a72c}.culled{fill:#54aeff55;stroke:#54aeff}.lost{fill:#cf222e;"
+    "stroke:"
+    "#cf222e}.view{fill:#8883;stroke:none}</style>\n";
+
+std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, double scale, const char* style,
+                      const std::string& name) {
+  const auto at = [&](double v, double from) { return one_digit((v - from) * scale); };
+  return "<rect class=\"" + std::string(style) + "\" x=\"" + at(box.low.x, origin.x) + "\" y=\"" +
+         at(box.low.z, origin.y) + "\" width=\"" + one_digit((box.high.x - box.low.x) * scale) + "\" height=\"" +
+         one_digit((box.high.z - box.low.z) * scale) + "\"><title>" + name + "</title></rect>\n";
+}
+
+std::vector<glm::u8vec4> display_of(const raster::Image& image) {
+  std::vector<glm::u8vec4> bytes;
+  bytes.reserve(image.rgba32f.size());
+  for (const glm::vec4& c : image.rgba32f) bytes.push_back(raster::srgb8_from_linear(c));
+  return bytes;
+}
+
+void write_png(const std::string& path, glm::ivec2 size_px, std::span<const glm::u8vec4> colors) {
+  WholeFile file(path);
+  geometry::write_color(file.file(), geometry::ImageFormat::png, size_px, colors);
+  publish({&file});
+}
+
+/// The whole picture, dark; samples of objects that are missing, bright red.
+std::vector<glm::u8vec4> difference_of(const raster::Image& whole, const techniques::World& world,
+                                       const PreparedMethod& method) {
+  std::vector<glm::u8vec4> bytes = display_of(whole);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::uint32_t draw = whole.ids[i].draw;
+    const bool lost = draw != raster::kNoId && !method.stage().drawn(world.object_of(draw));
+    const int grey = (bytes[i].r + bytes[i].g + bytes[i].b) / 9;
+    bytes[i] = lost ? glm::u8vec4(255, 40, 40, 255) : glm::u8vec4(grey, grey, grey, 255);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::size_t telling_frame(const CullingCase& one, const CaseResult& result, const std::string& method) {
+  std::size_t best = one.frames.size() / 2;
+  double most = 0.0;
+  for (const Row& row : result.results) {
+    if (row.text("method") != method || row.number("false_px") <= most) continue;
+    const auto at = std::find(one.frames.begin(), one.frames.end(), std::uint32_t(row.number("frame")));
+    if (at == one.frames.end()) continue;
+    best = std::size_t(at - one.frames.begin()), most = row.number("false_px");
+  }
+  return best;
+}
+
+std::string top_view(const techniques::World& world, const geometry::Camera& camera, glm::ivec2 size_px,
+                     const PreparedMethod& method, const std::vector<std::uint32_t>& owned_samples) {
+  const geometry::Bounds& all = world.bounds();
+  const glm::dvec2 origin(all.low.x, all.low.z), size(all.high.x - all.low.x, all.high.z - all.low.z);
+  const double scale = 600.0 / std::max({size.x, size.y, 1e-9});
+  const std::vector<ObjectId> inside = techniques::objects_in_view(world, {.camera = camera, .size_px = size_px});
+  std::vector<bool> in_view(world.objects().size(), false);
+  for (const ObjectId id : inside) in_view[id] = true;
+
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + one_digit(size.x * scale) + " " +
+                    one_digit(size.y * scale) + "\">\n" + kTopStyle;
+  // Large things (the ground) lie below small ones.
+  std::vector<ObjectId> order(world.objects().size());
+  for (ObjectId id = 0; id < order.size(); ++id) order[id] = id;
+  const auto area = [&](ObjectId id) {
+    const glm::dvec3 side = world.objects()[id].bounds.high - world.objects()[id].bounds.low;
+    return side.x * side.z;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](ObjectId a, ObjectId b) { return area(a) > area(b); });
+  for (const ObjectId id : order) {
+    const techniques::WorldObject& object = world.objects()[id];
+    if (object.bounds.empty()) continue;
+    const char* style = class_of(in_view[id], method.stage().drawn(id), owned_samples[id] > 0);
+    svg += rectangle(object.bounds, origin, scale, style, "");
+  }
+  // The eye, and the sides of the view.
+  const glm::dvec2 half = geometry::half_extent(camera, size_px);
+  const double reach = 2.0 * std::max(size.x, size.y);
+  const auto corner = [&](double side) {
+    const glm::dvec3 p = camera.eye + reach * (side * half.x * camera.right - camera.back);
+    return one_digit((p.x - origin.x) * scale) + "," + one_digit((p.z - origin.y) * scale);
+  };
+  const std::string eye =
+      one_digit((camera.eye.x - origin.x) * scale) + "," + one_digit((camera.eye.z - origin.y) * scale);
+  return svg + "<polygon class=\"view\" points=\"" + eye + " " + corner(-1.0) + " " + corner(1.0) + "\"/>\n</svg>\n";
+}
+
+std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t frame, const techniques::World& world,
+                                             PreparedMethod& method, const raster::RenderOptions& options,
+                                             const std::string& folder) {
+  const techniques::View view{.camera = one.cameras[frame], .size_px = one.size_px};
+  raster::Image whole = raster::make_image(one.size_px, raster::ColorFormat::rgba32f), drawn = whole;
+  const auto draws = world.draws().draws(view.camera, view.size_px);
+  raster::render({.draws = draws, .clear = kSky, .viewport = {}, .scissor = {}}, whole, options);
+  static_cast<void>(method.draw(view, drawn, kSky));
+  std::vector<std::uint32_t> owned(world.objects().size(), 0);
+  for (const raster::Ids& ids : whole.ids) {
+    if (ids.draw != raster::kNoId) ++owned[world.object_of(ids.draw)];
+  }
+  const std::string name = one.scene + "." + one.path + "." + std::to_string(one.frames[frame]);
+  write_png(folder + "/" + name + ".whole.png", one.size_px, display_of(whole));
+  write_png(folder + "/" + name + ".drawn.png", one.size_px, display_of(drawn));
+  write_png(folder + "/" + name + ".difference.png", one.size_px, difference_of(whole, world, method));
+  WholeFile top(folder + "/" + name + ".top.svg");
+  const std::string svg = top_view(world, view.camera, view.size_px, method, owned);
+  top.file().write(svg.data(), svg.size());
+  publish({&top});
+  return {name + ".whole.png", name + ".drawn.png", name + ".difference.png", name + ".top.svg"};
+}
+
+}  // namespace lode::experiments

@@ -1,0 +1,32 @@
+#pragma once
+/// Plots: the one door to gnuplot, which is run as a program.
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lode::experiments {
+
+/// One series of points: a line, or points with a label each.
+struct PlotSeries {
+  std::string title;
+  std::vector<double> x, y;         ///< [n]
+  std::vector<std::string> labels;  ///< empty, or [n]: points are drawn instead of a line
+};
+
+struct Plot {
+  std::string x_title, y_title;
+  bool log_y = false;
+  int width = 760, height = 380;
+  std::vector<PlotSeries> series;
+};
+
+/// An SVG element for a page: no background, text in the page's colour. Deterministic for one version of gnuplot.
+/// Throws Error (machine_failed) if gnuplot is not there or fails.
+[[nodiscard]] std::string svg_of(const Plot& plot);
+
+/// The points that no other point beats in both coordinates (least x, least y), by x: indices. Kung, Luccio, Preparata,
+/// "On finding the maxima of a set of vectors", 1975.
+[[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const double> x, std::span<const double> y);
+
+}  // namespace lode::experiments
