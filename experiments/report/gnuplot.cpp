@@ -98,7 +98,7 @@ std::string quoted(const std::string& text) {
 
 std::string script_of(const Plot& plot) {
   std::string s = "set terminal svg size " + std::to_string(plot.width) + "," + std::to_string(plot.height) +
-                  " dynamic noenhanced font 'sans-serif,13' background 'none'\n";
+                  " dynamic noenhanced font 'sans-serif,13'\n";
   s += "set xlabel " + quoted(plot.x_title) + "\nset ylabel " + quoted(plot.y_title) + "\n";
   s += "set key outside right top\nset grid\nset border 3\nset tics nomirror\nset offsets graph 0.02, graph 0.12, 0, "
        "0\n";
