@@ -13,6 +13,7 @@
 #include "raster/fast/rasterize-inl.h"
 #include "raster/fast/records-inl.h"
 #include "raster/fast/resolve-inl.h"
+#include "raster/fast/surface-inl.h"
 #include "raster/fast/tint-inl.h"
 #include "raster/fast/vertices-inl.h"
 #include "raster/fast/write-inl.h"
@@ -38,7 +39,7 @@ constexpr Target kTarget = Target::scalar;
 extern const Kernels kKernels;
 const Kernels kKernels = {kTarget,   Look,        Transform,     Rasterize,      RasterizeLone,
                           Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile, Clear,
-                          ShadeFlat, StoreBytes,  ShadeTextured, DrawTextured};
+                          ShadeOwners, ShadeSurface, StoreFloats, StoreBytes, ShadeTextured, DrawTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

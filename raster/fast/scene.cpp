@@ -155,13 +155,13 @@ void set_colors(const Draw& draw, ColorFormat format, FastDraw& fast) {
   fast.bytes = bytes.r | bytes.g << 8 | bytes.b << 16 | std::uint32_t(bytes.a) << 24;
   fast.scale = {1.0f, 1.0f, 1.0f, 1.0f};
   if (draw.color) fast.scale = {color.r / full, color.g / full, color.b / full, color.a / full};
+  fast.is_surface = is_surface(draw);
+  fast.surface = make_surface(draw, format);
   FlatJob& job = fast.flat_job;
   job.corners = fast.clusters->corners.data();
   job.mesh_vertices = fast.clusters->vertices.data();
   job.colors = draw.colors.empty() ? nullptr : &draw.colors[0].x;
-  job.has_color = draw.color.has_value();
-  job.full = full;
-  job.color = {color.r, color.g, color.b, color.a};
+  job.normals = draw.normals.empty() ? nullptr : &draw.normals[0].x;
 }
 
 void add_draw(std::uint32_t d, ColorFormat format, int threads, Scene& scene) {

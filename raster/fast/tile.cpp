@@ -443,6 +443,7 @@ void Worker::prepare(const Scene& scene, const Image& image) {
     record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
     records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);
     textured = std::make_unique<std::array<Textured, 16>>();
+    surfaces = std::make_unique<std::array<KeptSurface, 64>>();
     residents.reserve(kSlots);
     free_slots.reserve(kSlots);
     doubtful = std::make_unique_for_overwrite<Doubtful[]>(kTilePixels);

@@ -47,6 +47,8 @@ struct Triangle {
 [[nodiscard]] PixelBox bounds_px(const Triangle& t, glm::ivec2 sample_fx8);
 [[nodiscard]] float depth_at(const Triangle& t, glm::ivec2 p_fx8);
 [[nodiscard]] VertexWeights weights_at(const Triangle& t, glm::ivec2 p_fx8);
+/// Texture coordinates of the triangle's own corners: those of a clipped polygon lie between its primitive's.
+[[nodiscard]] std::array<glm::dvec2, 3> corner_uvs(const Triangle& t, const std::array<glm::vec2, 3>& uvs);
 [[nodiscard]] Footprint footprint_at(const Triangle& t, const VertexUvs& uvs, glm::ivec2 p_fx8);
 
 /// One directed edge a→b of a triangle whose doubled area is positive in the order it is walked.
