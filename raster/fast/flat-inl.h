@@ -91,8 +91,8 @@ HWY_INLINE OwnedWeights WeightsOf(const FlatJob& job, const OwnedTriangles& t, s
   const auto negative = hn::Lt(area, hn::Zero(d));
   for (int k = 0; k < 3; ++k) {  // exact: whole numbers below 2^53
     const int a = (k + 1) % 3, b = (k + 2) % 3;
-    const auto value = hn::Sub(hn::Mul(hn::Sub(xd[b], xd[a]), hn::Sub(py, yd[a])),
-                               hn::Mul(hn::Sub(yd[b], yd[a]), hn::Sub(px, xd[a])));
+    const auto value =
+        hn::Sub(hn::Mul(hn::Sub(xd[b], xd[a]), hn::Sub(py, yd[a])), hn::Mul(hn::Sub(yd[b], yd[a]), hn::Sub(px, xd[a])));
     e[k] = hn::IfThenElse(negative, hn::Sub(hn::Zero(d), value), value);
   }
   const auto affine = hn::And(hn::Eq(hn::BitCast(i64, w[0]), hn::BitCast(i64, w[1])),
@@ -103,7 +103,7 @@ HWY_INLINE OwnedWeights WeightsOf(const FlatJob& job, const OwnedTriangles& t, s
   OwnedWeights result;
   for (int k = 0; k < 3; ++k) result.b[k] = hn::DemoteTo(f, hn::Div(q[k], sum));
   const auto sign = hn::DemoteTo(i32, hn::IfThenElseZero(negative, hn::Set(d, -1.0)));  // all bits, or none
-  result.front = hn::And(hn::Xor(sign, t.turned), hn::Set(i32, 1));                    // y down: negative is the front
+  result.front = hn::And(hn::Xor(sign, t.turned), hn::Set(i32, 1));                     // y down: negative is the front
   return result;
 }
 

@@ -269,9 +269,8 @@ class Resolver {
     if (format_ == ColorFormat::rgba8) {
       std::array<std::uint32_t, 16> bytes;
       scene_.kernels->store_bytes(samples.rgba[0], bytes.data());
-      for_each([&](std::size_t k, std::size_t place) {
-        std::memcpy(static_cast<void*>(&w_.rgba8[place]), &bytes[k], 4);
-      });
+      for_each(
+          [&](std::size_t k, std::size_t place) { std::memcpy(static_cast<void*>(&w_.rgba8[place]), &bytes[k], 4); });
     } else {
       alignas(64) std::array<glm::vec4, 16> colors;
       scene_.kernels->store_floats(samples, &colors[0].x);

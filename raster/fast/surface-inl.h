@@ -108,7 +108,8 @@ HWY_INLINE F LightOn(const Lambert& lambert, const F (&normal)[3], hn::Mask<Floa
   const auto zero = hn::Zero(f);
   F n[3];
   for (int row = 0; row < 3; ++row) {
-    const auto part = [&](int axis) HWY_ATTR { return hn::Mul(hn::Set(f, lambert.light_from_normal[axis][row]), normal[axis]); };
+    const auto part = [&](int axis)
+                          HWY_ATTR { return hn::Mul(hn::Set(f, lambert.light_from_normal[axis][row]), normal[axis]); };
     n[row] = hn::Add(hn::Add(part(0), part(1)), part(2));
   }
   const F largest = hn::Max(hn::Max(hn::Abs(n[0]), hn::Abs(n[1])), hn::Abs(n[2]));
@@ -116,9 +117,8 @@ HWY_INLINE F LightOn(const Lambert& lambert, const F (&normal)[3], hn::Mask<Floa
   const auto usable = hn::And(finite, hn::Gt(largest, zero));
   for (F& axis : n) axis = hn::Div(axis, largest);
   const F length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(n[0], n[0]), hn::Mul(n[1], n[1])), hn::Mul(n[2], n[2])));
-  const auto along = [&](int axis) HWY_ATTR {
-    return hn::Mul(hn::Div(n[axis], length), hn::Set(f, lambert.to_light[axis]));
-  };
+  const auto along = [&](int axis)
+                         HWY_ATTR { return hn::Mul(hn::Div(n[axis], length), hn::Set(f, lambert.to_light[axis])); };
   F cosine = hn::IfThenElseZero(usable, hn::Add(hn::Add(along(0), along(1)), along(2)));
   if (lambert.turns_backs) {
     const auto backs = lambert.front_is_clockwise ? front : hn::Not(front);
@@ -163,9 +163,8 @@ void ShadeSurface(const Surface& s, const SurfaceTriangle& t, int x_fx8, int y_f
   const HalfInts i32;
   const Floats f;
   const bool weighs = s.has_vertex_colors || (s.lambert && s.has_normals) || s.texture;
-  const auto attribute = [&](std::size_t c, std::size_t i) HWY_ATTR {
-    return hn::Set(Floats(), c < 4 ? t.colors[c][i] : t.normals[c - 4][i]);
-  };
+  const auto attribute = [&](std::size_t c, std::size_t i)
+                             HWY_ATTR { return hn::Set(Floats(), c < 4 ? t.colors[c][i] : t.normals[c - 4][i]); };
   const auto front = hn::RebindMask(f, hn::Eq(hn::Set(Ints(), t.front_facing ? 1 : 0), hn::Set(Ints(), 1)));
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(f)) {
     F b[3] = {hn::Zero(f), hn::Zero(f), hn::Zero(f)};

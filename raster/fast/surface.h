@@ -27,19 +27,19 @@ struct SurfaceTriangle {
   // Exact: whole numbers below 2^53. Edge i at p is edge_x·p.x + edge_y·p.y + edge_c, p in 1/256 px.
   std::array<double, 3> edge_x{}, edge_y{}, edge_c{}, w{};
   bool affine = true, clipped = false, front_facing = true;
-  std::array<std::array<double, 3>, 3> polygon{};       ///< [corner][vertex]
-  std::array<std::array<float, 3>, 4> colors{};         ///< [channel][vertex]
-  std::array<std::array<float, 3>, 3> normals{};        ///< [axis][vertex]
-  std::array<std::array<double, 3>, 2> uvs{};           ///< [axis][corner]
+  std::array<std::array<double, 3>, 3> polygon{};        ///< [corner][vertex]
+  std::array<std::array<float, 3>, 4> colors{};          ///< [channel][vertex]
+  std::array<std::array<float, 3>, 3> normals{};         ///< [axis][vertex]
+  std::array<std::array<double, 3>, 2> uvs{};            ///< [axis][corner]
   std::array<std::array<double, 3>, 2> weight_slopes{};  ///< [x, y][corner]: of edge / w, per pixel
 };
 
 /// What the kernels make of sixteen samples.
 struct SurfaceSamples {
-  alignas(64) float rgba[4][16];        ///< lit, if the surface has no texture; else its colour
-  alignas(64) float light[16];          ///< if the surface is lit
-  alignas(64) double u[16], v[16];      ///< if it has a texture
-  alignas(64) double rho_squared[16];   ///< likewise, if the filter is trilinear: of the longer derivative, texels
+  alignas(64) float rgba[4][16];       ///< lit, if the surface has no texture; else its colour
+  alignas(64) float light[16];         ///< if the surface is lit
+  alignas(64) double u[16], v[16];     ///< if it has a texture
+  alignas(64) double rho_squared[16];  ///< likewise, if the filter is trilinear: of the longer derivative, texels
 };
 
 /// Whether a draw's triangles can be shaded as surfaces: no shader but lambert_shader, no anisotropic filter.
