@@ -9,6 +9,7 @@
 #include "raster/fast/box-inl.h"
 #include "raster/fast/depth-inl.h"
 #include "raster/fast/flat-inl.h"
+#include "raster/fast/linear_texture-inl.h"
 #include "raster/fast/ordered-inl.h"
 #include "raster/fast/rasterize-inl.h"
 #include "raster/fast/records-inl.h"
@@ -39,7 +40,7 @@ constexpr Target kTarget = Target::scalar;
 extern const Kernels kKernels;
 const Kernels kKernels = {kTarget,   Look,        Transform,     Rasterize,      RasterizeLone,
                           Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile, Clear,
-                          ShadeOwners, ShadeSurface, StoreFloats, StoreBytes, ShadeTextured, DrawTextured};
+                          ShadeOwners, ShadeSurface, ApplyLinearTexture, StoreFloats, StoreBytes, ShadeTextured, DrawTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

@@ -243,6 +243,8 @@ struct Kernels {
   /// triangle does not cover is not said.
   void (*shade_surface)(const Surface& surface, const SurfaceTriangle& triangle, int x_fx8, int y_fx8,
                         SurfaceSamples& out);
+  /// apply_texture of a linear texture by a bilinear or trilinear filter.
+  std::uint64_t (*apply_linear_texture)(const Surface& surface, std::uint32_t lanes, SurfaceSamples& samples);
   /// [4·16] Sixteen colours as a float target keeps them (C8).
   void (*store_floats)(const SurfaceSamples& samples, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).

@@ -278,6 +278,10 @@ class Resolver {
     }
   }
 
+  static bool by_kernel(const Surface& s) {
+    return s.texture->format == TextureFormat::linear && s.sampler.filter != Filter::nearest;
+  }
+
   /// False if the owner is not a triangle.
   bool shade_surface(const Draw& draw, std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
     KeptSurface& kept = (*w_.surfaces)[owner % w_.surfaces->size()];
@@ -291,7 +295,11 @@ class Resolver {
     SurfaceSamples samples;
     scene_.kernels->shade_surface(kept.surface, kept.triangle, x * 256 + sample_fx8_.x, y * 256 + sample_fx8_.y,
                                   samples);
-    if (kept.surface.texture) w_.stats.texels_read += apply_texture(kept.surface, lanes, samples);
+    if (kept.surface.texture) {
+      w_.stats.texels_read += by_kernel(kept.surface)
+                                  ? scene_.kernels->apply_linear_texture(kept.surface, lanes, samples)
+                                  : apply_texture(kept.surface, lanes, samples);
+    }
     store(samples, [&](auto visit) { for_each_lane(lanes, [&](std::uint32_t k) { visit(k, base + k); }); });
     return true;
   }

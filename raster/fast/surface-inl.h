@@ -184,15 +184,18 @@ void ShadeSurface(const Surface& s, const SurfaceTriangle& t, int x_fx8, int y_f
   }
 }
 
-/// Colours as a float target stores them (C8): one NaN, one zero.
+/// Values as float targets keep them (C8): one NaN, one zero.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> Stored(Tag f, hn::Vec<Tag> value) {
+  const auto v = hn::Add(value, hn::Zero(f));  // −0 becomes +0
+  return hn::IfThenElse(hn::Eq(v, v), v, hn::BitCast(f, hn::Set(hn::RebindToSigned<Tag>(), 0x7FC00000)));
+}
+
 void StoreFloats(const SurfaceSamples& samples, float* rgba) {
   const Floats f;
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(f)) {
     F stored[4];
-    for (std::size_t c = 0; c < 4; ++c) {
-      const F v = hn::Add(hn::Load(f, samples.rgba[c] + lane), hn::Zero(f));  // −0 becomes +0
-      stored[c] = hn::IfThenElse(hn::Eq(v, v), v, hn::BitCast(f, hn::Set(Ints(), 0x7FC00000)));
-    }
+    for (std::size_t c = 0; c < 4; ++c) stored[c] = Stored(f, hn::Load(f, samples.rgba[c] + lane));
     hn::StoreInterleaved4(stored[0], stored[1], stored[2], stored[3], f, rgba + 4 * lane);
   }
 }
