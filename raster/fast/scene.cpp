@@ -244,7 +244,7 @@ void make_scene(const Frame& frame, const Image& image, const RenderOptions& opt
   }
   scene.assembly.pieces.clear();
   if (any_pieces) {
-    scene.assembly = reference::assemble(frame, image.size_px, scene.selections, threads);
+    reference::assemble(frame, image.size_px, scene.selections, threads, scene.assembly);
     scene.stats = scene.assembly.stats;
   }
   for (std::size_t i = 0; i < scene.n_fast; ++i) {  // the pieces are counted already

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "raster/reference/clip.h"
@@ -30,7 +29,7 @@ struct Triangle {
   std::array<WindowVertex, 3> v;  ///< canonical order: by x, then y
   double sign = 1.0;              ///< +1 or −1: turns edge functions positive inside
   bool affine = true;             ///< the three w are bitwise equal
-  std::shared_ptr<const ClippedPolygon> polygon;  ///< of clipped primitives, otherwise null
+  const ClippedPolygon* polygon = nullptr;        ///< of clipped primitives: the assembly's
   std::array<int, 3> polygon_vertex{0, 1, 2};     ///< v[i]'s place in it
   int piece = 0;
 };
