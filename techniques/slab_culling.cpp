@@ -77,7 +77,7 @@ Counters SlabCulling::draw(const View& view, Stage& stage) {
   {
     const auto timer = stage.time("projection");
     for (const ObjectId id : to_test) {
-      Occludee occludee{id, 0.0, {}};
+      Occludee occludee{id, std::find(occluders_.begin(), occluders_.end(), id) != occluders_.end(), 0.0, {}};
       if (!occluders_.empty() && find_occludee(view, world, id, occludee)) {
         left.push_back(std::move(occludee));
       } else {
@@ -127,12 +127,16 @@ void SlabCulling::project_occluders(const View& view, const World& world, std::s
       const auto box = geometry::project_hull(corners, clip_from_world_, glm::dvec2(view.size_px));
       if (box.near_plane != geometry::NearPlane::in_front) continue;
     }
-    for (const std::vector<glm::vec3>& points : shape.levels[level]) add_part(view, world, id, points);
+    for (std::size_t i = 0; i < shape.levels[level].size(); ++i) {
+      const bool hides_occluders = shape.hides_occluders.empty() || shape.hides_occluders[level][i] != 0;
+      add_part(view, world, id, shape.levels[level][i], hides_occluders);
+    }
   }
   slab_occluders_.sort();
 }
 
-void SlabCulling::add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points) {
+void SlabCulling::add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points,
+                           bool hides_occluders) {
   const glm::dmat4& world_from_shape = world.objects()[id].world_from_shape;
   const geometry::ProjectedHull part =
       geometry::project_hull(points, clip_from_world_ * world_from_shape, glm::dvec2(view.size_px));
@@ -145,7 +149,7 @@ void SlabCulling::add_part(const View& view, const World& world, ObjectId id, co
   const geometry::SlabFootprint footprint = geometry::occluder_footprint(part.points_px, slab_params_);
   if (footprint.empty()) return;
   slab_occluders_.add(footprint);
-  parts_.push_back({id, part.farthest_depth});
+  parts_.push_back({id, part.farthest_depth, hides_occluders});
 }
 
 bool SlabCulling::may_hide(const View& view, const World& world, ObjectId occluder, ObjectId occludee) const {
@@ -164,7 +168,10 @@ bool SlabCulling::hidden(const View& view, const World& world, const Occludee& o
     const bool may = may_hide(view, world, occluder, occludee.object);
     std::size_t end = begin;
     for (; end < parts_.size() && parts_[end].object == occluder; ++end) {
-      counts_[end] = may && (!params_.depth_rule || parts_[end].farthest_depth >= nearest) ? 1 : 0;
+      counts_[end] = may && (parts_[end].hides_occluders || !occludee.is_occluder) &&
+                             (!params_.depth_rule || parts_[end].farthest_depth >= nearest)
+                         ? 1
+                         : 0;
     }
     if (params_.fusion == Fusion::per_occluder && may) {
       if (slab_occluders_.cover(occludee.footprint, counts_)) return true;

@@ -51,6 +51,8 @@ struct SlabCullingParams {
 /// shape's space. No level, or no part: it hides nothing.
 struct OccluderParts {
   std::vector<std::vector<std::vector<glm::vec3>>> levels;
+  /// [levels][parts] whether it hides other occluders, too; empty: they all do.
+  std::vector<std::vector<std::uint8_t>> hides_occluders;
 };
 
 class SlabCulling {
@@ -71,14 +73,17 @@ class SlabCulling {
   struct Part {
     ObjectId object;
     double farthest_depth;
+    bool hides_occluders;
   };
   struct Occludee {
     ObjectId object;
+    bool is_occluder;
     double nearest_depth;
     geometry::SlabFootprint footprint;
   };
   void project_occluders(const View& view, const World& world, std::size_t level);
-  void add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points);
+  void add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points,
+                bool hides_occluders);
   [[nodiscard]] bool find_occludee(const View& view, const World& world, ObjectId id, Occludee& out) const;
   [[nodiscard]] bool hidden(const View& view, const World& world, const Occludee& occludee);
   [[nodiscard]] bool may_hide(const View& view, const World& world, ObjectId occluder, ObjectId occludee) const;

@@ -36,39 +36,72 @@ Plane plane_across(const glm::dvec3& direction) {
   return {u, glm::cross(d, u)};
 }
 
+/// A model's silhouette along a direction, on lines that reach over it and over all hulls.
+class Silhouette {
+ public:
+  Silhouette(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+             std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines)
+      : plane_(plane_across(direction)) {
+    if (n_lines < 1 || n_lines > 4096) throw std::logic_error("coverage_error: expected 1 to 4096 lines");
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    const auto widen = [&](const glm::vec3& p) {
+      const double x = plane_.flat(p).x;
+      left = std::min(left, x), right = std::max(right, x);
+    };
+    for (const std::uint32_t i : indices) widen(positions[i]);
+    for (const std::vector<glm::vec3>& hull : hulls) std::ranges::for_each(hull, widen);
+    if (left <= right) lines_ = {left, right, n_lines};
+    model_.clear(lines_);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+      model_.add_triangle(plane_.flat(positions[indices[i]]), plane_.flat(positions[indices[i + 1]]),
+                          plane_.flat(positions[indices[i + 2]]));
+    }
+  }
+
+  [[nodiscard]] const Lines& lines() const { return lines_; }
+  [[nodiscard]] LineUnion& model() { return model_; }
+  void add(const std::vector<glm::vec3>& hull, LineUnion& to) {
+    flat_.clear();
+    for (const glm::vec3& p : hull) flat_.push_back(plane_.flat(p));
+    to.add_hull(flat_);
+  }
+
+ private:
+  Plane plane_;
+  Lines lines_;
+  LineUnion model_;
+  std::vector<glm::dvec2> flat_;
+};
+
 }  // namespace
 
 CoverageError coverage_error(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                              std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines) {
-  if (n_lines < 1 || n_lines > 4096) throw std::logic_error("coverage_error: expected 1 to 4096 lines");
-  const Plane plane = plane_across(direction);
-  Lines lines = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), n_lines};
-  const auto widen = [&](const glm::vec3& p) {
-    const double x = plane.flat(p).x;
-    lines = {std::min(lines.left, x), std::max(lines.right, x), n_lines};
-  };
-  for (const std::uint32_t i : indices) widen(positions[i]);
-  for (const std::vector<glm::vec3>& hull : hulls) std::ranges::for_each(hull, widen);
+  Silhouette silhouette(positions, indices, hulls, direction, n_lines);
+  LineUnion approximation;
+  approximation.clear(silhouette.lines());
+  for (const std::vector<glm::vec3>& hull : hulls) silhouette.add(hull, approximation);
   CoverageError result{.direction = direction};
-  if (lines.left > lines.right) return result;
-
-  LineUnion model, approximation;
-  model.clear(lines);
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    model.add_triangle(plane.flat(positions[indices[i]]), plane.flat(positions[indices[i + 1]]),
-                       plane.flat(positions[indices[i + 2]]));
-  }
-  approximation.clear(lines);
-  std::vector<glm::dvec2> flat;
-  for (const std::vector<glm::vec3>& hull : hulls) {
-    flat.clear();
-    for (const glm::vec3& p : hull) flat.push_back(plane.flat(p));
-    approximation.add_hull(flat);
-  }
-  result.model_area = model.area();
+  result.model_area = silhouette.model().area();
   result.hull_area = approximation.area();
-  result.over = approximation.area_without(model);
-  result.under = model.area_without(approximation);
+  result.over = approximation.area_without(silhouette.model());
+  result.under = silhouette.model().area_without(approximation);
+  return result;
+}
+
+std::vector<HullCoverage> hull_coverage(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                        std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction,
+                                        int n_lines) {
+  Silhouette silhouette(positions, indices, hulls, direction, n_lines);
+  LineUnion alone;
+  std::vector<HullCoverage> result;
+  for (const std::vector<glm::vec3>& hull : hulls) {
+    alone.clear(silhouette.lines());
+    silhouette.add(hull, alone);
+    HullCoverage& coverage = result.emplace_back();
+    coverage.area = alone.area();
+    coverage.over = alone.area_without(silhouette.model());
+  }
   return result;
 }
 

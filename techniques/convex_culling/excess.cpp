@@ -1,0 +1,33 @@
+#include "techniques/convex_culling/excess.h"
+
+#include <algorithm>
+
+#include "techniques/convex_culling/coverage_error.h"
+
+namespace lode::techniques::convex_culling {
+namespace {
+
+constexpr int kRandomDirections = 10;
+
+}  // namespace
+
+Excess excess(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+              std::span<const std::vector<glm::vec3>> hulls) {
+  Excess result{0.0, std::vector<double>(hulls.size(), 0.0)};
+  std::vector<double> largest(hulls.size(), 0.0);
+  for (const glm::dvec3& direction : measured_directions(kRandomDirections)) {
+    const CoverageError all = coverage_error(positions, indices, hulls, direction);
+    if (all.model_area > 0.0) result.model = std::max(result.model, all.over / all.model_area);
+    const std::vector<HullCoverage> each = hull_coverage(positions, indices, hulls, direction);
+    for (std::size_t i = 0; i < hulls.size(); ++i) {
+      largest[i] = std::max(largest[i], each[i].area);
+      result.hulls[i] = std::max(result.hulls[i], each[i].over);
+    }
+  }
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    if (largest[i] > 0.0) result.hulls[i] /= largest[i];
+  }
+  return result;
+}
+
+}  // namespace lode::techniques::convex_culling
