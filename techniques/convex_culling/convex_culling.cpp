@@ -47,16 +47,20 @@ bool is_finite(const Shape& shape) {
 
 using Levels = std::vector<std::vector<std::vector<glm::vec3>>>;  ///< OccluderParts::levels
 
-/// [shapes][levels]
+/// [shapes][levels]; of levels that no one asks, empty.
 using Excesses = std::vector<std::vector<convex_culling::Excess>>;
 
-Excesses excesses_of(const World& world, std::span<const ConvexApproximation> approximations, int threads) {
+Excesses excesses_of(const World& world, std::span<const ConvexApproximation> approximations, LevelRule rule,
+                     int threads) {
   Excesses all(approximations.size());
   raster::parallel_for(all.size(), raster::worker_count(threads), [&](std::size_t i, int) {
-    if (approximations[i].levels.empty()) return;
+    const std::vector<convex_culling::ApproximationLevel>& levels = approximations[i].levels;
+    if (levels.empty()) return;
     const Shape shape = world.shape(std::uint32_t(i));
-    for (const convex_culling::ApproximationLevel& level : approximations[i].levels)
-      all[i].push_back(convex_culling::excess(shape.positions, shape.indices, level.hulls));
+    all[i].resize(levels.size());
+    for (std::size_t l = rule == LevelRule::last ? levels.size() - 1 : 0; l < levels.size(); ++l) {
+      all[i][l] = convex_culling::excess(shape.positions, shape.indices, levels[l].hulls);
+    }
   });
   return all;
 }
@@ -72,7 +76,7 @@ OccluderParts parts_of(const ConvexApproximation& approximation, std::span<const
     auto& hulls = parts.levels.emplace_back();
     auto& hides_occluders = parts.hides_occluders.emplace_back();
     for (std::size_t i = 0; i < approximation.levels[l].hulls.size(); ++i) {
-      const double excess = excesses.empty() ? 0.0 : excesses[l].hulls[i];
+      const double excess = excesses.empty() || excesses[l].hulls.empty() ? 0.0 : excesses[l].hulls[i];
       if (excess > params.largest_hull_excess) continue;
       hulls.push_back(approximation.levels[l].hulls[i]);
       hides_occluders.push_back(excess <= params.largest_occluder_excess);
@@ -149,8 +153,9 @@ void ConvexCulling::prepare(Stage& stage) {
   std::shared_ptr<const Excesses> excesses;
   if (params_.mode != Mode::conservative &&
       std::min({params_.largest_excess, params_.largest_hull_excess, params_.largest_occluder_excess}) < kAny) {
-    excesses =
-        world.once<Excesses>(key_of(params_) + "; excess", [&] { return excesses_of(world, *found, stage.threads()); });
+    const LevelRule rule = params_.slabs.levels;
+    excesses = world.once<Excesses>(key_of(params_) + "; excess " + std::to_string(int(rule)),
+                                    [&] { return excesses_of(world, *found, rule, stage.threads()); });
   }
   std::vector<OccluderParts> shapes(world.n_shapes());
   for (std::size_t i = 0; i < shapes.size(); ++i) {

@@ -58,18 +58,20 @@ class Silhouette {
     }
   }
 
-  [[nodiscard]] const Lines& lines() const { return lines_; }
-  [[nodiscard]] LineUnion& model() { return model_; }
-  void add(const std::vector<glm::vec3>& hull, LineUnion& to) {
-    flat_.clear();
-    for (const glm::vec3& p : hull) flat_.push_back(plane_.flat(p));
-    to.add_hull(flat_);
+  [[nodiscard]] CoverageError error_of(std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction) {
+    hulls_.clear(lines_);
+    for (const std::vector<glm::vec3>& hull : hulls) {
+      flat_.clear();
+      for (const glm::vec3& p : hull) flat_.push_back(plane_.flat(p));
+      hulls_.add_hull(flat_);
+    }
+    return {direction, model_.area(), hulls_.area(), hulls_.area_without(model_), model_.area_without(hulls_)};
   }
 
  private:
   Plane plane_;
   Lines lines_;
-  LineUnion model_;
+  LineUnion model_, hulls_;
   std::vector<glm::dvec2> flat_;
 };
 
@@ -78,29 +80,16 @@ class Silhouette {
 CoverageError coverage_error(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                              std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines) {
   Silhouette silhouette(positions, indices, hulls, direction, n_lines);
-  LineUnion approximation;
-  approximation.clear(silhouette.lines());
-  for (const std::vector<glm::vec3>& hull : hulls) silhouette.add(hull, approximation);
-  CoverageError result{.direction = direction};
-  result.model_area = silhouette.model().area();
-  result.hull_area = approximation.area();
-  result.over = approximation.area_without(silhouette.model());
-  result.under = silhouette.model().area_without(approximation);
-  return result;
+  return silhouette.error_of(hulls, direction);
 }
 
-std::vector<HullCoverage> hull_coverage(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
-                                        std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction,
-                                        int n_lines) {
+EachCoverage each_coverage(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                           std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines) {
   Silhouette silhouette(positions, indices, hulls, direction, n_lines);
-  LineUnion alone;
-  std::vector<HullCoverage> result;
+  EachCoverage result{silhouette.error_of(hulls, direction), {}};
   for (const std::vector<glm::vec3>& hull : hulls) {
-    alone.clear(silhouette.lines());
-    silhouette.add(hull, alone);
-    HullCoverage& coverage = result.emplace_back();
-    coverage.area = alone.area();
-    coverage.over = alone.area_without(silhouette.model());
+    const CoverageError alone = silhouette.error_of({&hull, 1}, direction);
+    result.hulls.push_back({alone.hull_area, alone.over});
   }
   return result;
 }

@@ -7,7 +7,7 @@
 namespace lode::techniques::convex_culling {
 namespace {
 
-constexpr int kRandomDirections = 10;
+constexpr int kRandomDirections = 10, kLines = 96;
 
 }  // namespace
 
@@ -16,12 +16,11 @@ Excess excess(std::span<const glm::vec3> positions, std::span<const std::uint32_
   Excess result{0.0, std::vector<double>(hulls.size(), 0.0)};
   std::vector<double> largest(hulls.size(), 0.0);
   for (const glm::dvec3& direction : measured_directions(kRandomDirections)) {
-    const CoverageError all = coverage_error(positions, indices, hulls, direction);
-    if (all.model_area > 0.0) result.model = std::max(result.model, all.over / all.model_area);
-    const std::vector<HullCoverage> each = hull_coverage(positions, indices, hulls, direction);
+    const EachCoverage found = each_coverage(positions, indices, hulls, direction, kLines);
+    if (found.all.model_area > 0.0) result.model = std::max(result.model, found.all.over / found.all.model_area);
     for (std::size_t i = 0; i < hulls.size(); ++i) {
-      largest[i] = std::max(largest[i], each[i].area);
-      result.hulls[i] = std::max(result.hulls[i], each[i].over);
+      largest[i] = std::max(largest[i], found.hulls[i].area);
+      result.hulls[i] = std::max(result.hulls[i], found.hulls[i].over);
     }
   }
   for (std::size_t i = 0; i < hulls.size(); ++i) {

@@ -16,9 +16,9 @@ struct Excess {
   std::vector<double> hulls;  ///< [hulls] of each alone, over its own largest silhouette
 };
 
-/// On 256 lines for each direction.
+/// On 96 lines for each direction.
 ///   positions, indices, hulls   as coverage_error() takes them
-///   cost                        13 times hull_coverage() and coverage_error()
+///   cost                        13 times each_coverage()
 [[nodiscard]] Excess excess(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                             std::span<const std::vector<glm::vec3>> hulls);
 
