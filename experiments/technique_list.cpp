@@ -31,8 +31,8 @@ AnyTechnique make_hierarchical_z(const ParameterValues& v) {
 }
 
 /// Of everything that tests boxes against convex parts on slabs.
-std::vector<Parameter> with_slab_parameters(std::vector<Parameter> parameters) {
-  const techniques::SlabCullingParams slabs;
+std::vector<Parameter> with_slab_parameters(std::vector<Parameter> parameters,
+                                            const techniques::SlabCullingParams& slabs) {
   parameters.push_back({"angle", "between eye, occluder and occludee at most, degrees", 0, 180, slabs.angle_limit_deg});
   parameters.push_back({"slabs", "of the virtual screen", 1, 65536, double(slabs.n_slabs), true});
   parameters.push_back(choice_parameter("fusion", "whose parts count together", {"per_occluder", "all"}, 1));
@@ -48,19 +48,56 @@ void set_slab_parameters(const ParameterValues& v, techniques::SlabCullingParams
   slabs.levels = techniques::LevelRule(int(v.at("levels")));
 }
 
+/// What each mode of convex culling has a value of its own for: kOfMode stands for that.
+constexpr double kOfMode = -1.0;
+Parameter of_mode(const char* name, const char* meaning, double high, bool whole = false) {
+  return {name, std::string(meaning) + "; -1: as the mode has it", kOfMode, high, kOfMode, whole};
+}
+
+std::vector<Parameter> with_preselection_parameters(std::vector<Parameter> parameters) {
+  parameters.push_back(of_mode("least_area", "quantile of A(S) from which on objects are occluders", 1));
+  parameters.push_back(of_mode("error", "E/A(S) of an occluder at most", 1e9));
+  parameters.push_back(of_mode("excess", "of its silhouette that an occluder hides too much at most", 1e9));
+  parameters.push_back(of_mode("hull_excess", "likewise of one hull", 1e9));
+  parameters.push_back(of_mode("occluder_excess", "likewise of a hull that hides occluders", 1e9));
+  parameters = with_slab_parameters(std::move(parameters), {});
+  for (Parameter& p : parameters) {
+    if (p.name == "angle" || p.name == "occluders") p = of_mode(p.name.c_str(), p.meaning.c_str(), p.high, p.whole);
+  }
+  return parameters;
+}
+
+void set_preselection(const ParameterValues& v, techniques::ConvexCulling::Params& params) {
+  const auto set = [&](const char* name, double& value) {
+    if (v.at(name) != kOfMode) value = v.at(name);
+  };
+  set("least_area", params.least_area_quantile);
+  set("error", params.largest_error);
+  set("excess", params.largest_excess);
+  set("hull_excess", params.largest_hull_excess);
+  set("occluder_excess", params.largest_occluder_excess);
+}
+
 /// To see which rule of a mode does what: "of_mode", or another.
 std::vector<Parameter> with_rule_parameters(std::vector<Parameter> parameters) {
   parameters.push_back(
       choice_parameter("depth_rule", "a hull hides only what is behind it", {"of_mode", "off", "on"}, 0));
   parameters.push_back(
+      choice_parameter("test_occluders", "what others hide hides nothing", {"of_mode", "off", "on"}, 0));
+  parameters.push_back(
       choice_parameter("slab_mode", "what a slab is", {"of_mode", "paper", "exact_x", "conservative"}, 0));
-  return with_slab_parameters(std::move(parameters));
+  return with_preselection_parameters(std::move(parameters));
 }
 
 AnyTechnique make_convex_culling(const ParameterValues& v) {
   auto params = techniques::ConvexCulling::params_for(techniques::ConvexCulling::Mode(int(v.at("mode"))));
+  const techniques::SlabCullingParams of_mode = params.slabs;
   set_slab_parameters(v, params.slabs);
+  if (v.at("angle") == kOfMode) params.slabs.angle_limit_deg = of_mode.angle_limit_deg;
+  if (v.at("occluders") == kOfMode) params.slabs.occluders.most = of_mode.occluders.most;
+  set_preselection(v, params);
   if (const int depth_rule = int(v.at("depth_rule")); depth_rule > 0) params.slabs.depth_rule = depth_rule == 2;
+  if (const int test = int(v.at("test_occluders")); test > 0) params.slabs.test_occluders = test == 2;
   if (const int mode = int(v.at("slab_mode")); mode > 0) params.slabs.slabs = geometry::SlabMode(mode - 1);
   return AnyTechnique(techniques::ConvexCulling(params));
 }
@@ -112,7 +149,7 @@ std::vector<TechniqueEntry> make_list() {
        with_rule_parameters({choice_parameter("mode", "what is risked", {"literal", "safe", "conservative"}, 1)}),
        make_convex_culling},
       {"inner_boxes", "Objects whose box is covered by boxes inside the occluders, on slabs, are left out",
-       with_slab_parameters(with_box_parameters({})), make_inner_boxes},
+       with_slab_parameters(with_box_parameters({}), techniques::InnerBoxes::default_slabs()), make_inner_boxes},
   };
 }
 

@@ -4,25 +4,41 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "geometry/hull_2d.h"
+#include "geometry/predicates.h"
 
 namespace lode::geometry {
 
+namespace {
+
+/// Appends a point right of all others, or above the last one; corners that then are none go. Chains turn left
+/// (turn = 1) or right (−1).
+void append(std::vector<glm::dvec2>& chain, const glm::dvec2& p, int turn) {
+  while (chain.size() >= 2 && turn * orientation(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
+  chain.push_back(p);
+}
+
+}  // namespace
+
 ConvexChains convex_chains(std::span<const glm::dvec2> points) {
-  const std::vector<std::uint32_t> hull = convex_hull_2d(points);
-  if (hull.empty()) throw std::logic_error("convex_chains: expected at least one point, found none");
-  // From the lexicographically smallest corner along the lower chain to the largest, and back along the upper one. Of
-  // an upright edge at either end, each chain has one corner only.
-  const auto corner = [&](std::size_t i) -> const glm::dvec2& { return points[hull[i]]; };
   ConvexChains chains;
-  std::size_t i = 0;
-  chains.lower.push_back(corner(0));
-  while (i + 1 < hull.size() && corner(i + 1).x > corner(i).x) chains.lower.push_back(corner(++i));
-  if (i + 1 < hull.size() && corner(i + 1).x == corner(i).x) ++i;  // up the right end, or all that there is
-  for (; i < hull.size() && corner(i).x > chains.left(); ++i) chains.upper.push_back(corner(i));
-  chains.upper.push_back(i < hull.size() ? corner(i) : corner(0));
-  std::ranges::reverse(chains.upper);
+  convex_chains(points, chains);
   return chains;
+}
+
+/// Andrew's monotone chain over the points from left to right. Of points above each other the lower chain sees the
+/// lowest, the upper one the highest.
+void convex_chains(std::span<const glm::dvec2> points, ConvexChains& chains) {
+  if (points.empty()) throw std::logic_error("convex_chains: expected at least one point, found none");
+  std::vector<glm::dvec2>& sorted = chains.sorted;
+  sorted.assign(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end(),
+            [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  chains.lower.clear();
+  chains.upper.clear();
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i == 0 || sorted[i].x != sorted[i - 1].x) append(chains.lower, sorted[i], 1);
+    if (i + 1 == sorted.size() || sorted[i].x != sorted[i + 1].x) append(chains.upper, sorted[i], -1);
+  }
 }
 
 ChainHeight ChainWalk::at(double x) {

@@ -13,6 +13,7 @@ namespace lode::geometry {
 /// x as the other; the lower one is convex, the upper one concave. One corner each if the polygon is upright.
 struct ConvexChains {
   std::vector<glm::dvec2> lower, upper;
+  std::vector<glm::dvec2> sorted;  ///< scratch of convex_chains()
 
   [[nodiscard]] double left() const { return lower.front().x; }
   [[nodiscard]] double right() const { return lower.back().x; }
@@ -20,6 +21,8 @@ struct ConvexChains {
 
 /// The chains of the points' convex hull. points: [n] finite, n ≥ 1 (checked: std::logic_error); O(n log n).
 [[nodiscard]] ConvexChains convex_chains(std::span<const glm::dvec2> points);
+/// The same into chains that were made before, whose memory is used again.
+void convex_chains(std::span<const glm::dvec2> points, ConvexChains& chains);
 
 /// A height, and a bound on how far it is from the exact one: y ± error, in whatever rounding, holds it. At corners and
 /// on level edges the error is 0.

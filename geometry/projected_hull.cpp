@@ -21,6 +21,24 @@ void add(ProjectedHull& hull, const glm::dvec4& p_clip, const glm::dvec2& size_p
   hull.farthest_depth = std::min(hull.farthest_depth, depth);
 }
 
+bool is_in_front(const glm::dvec4& p_clip) { return in_front(p_clip) > 0.0 && p_clip.w > 0.0; }
+
+/// Where the lines between points on either side meet the near plane.
+void add_cuts(std::span<const glm::vec3> p_object, const glm::dmat4& clip_from_object, const glm::dvec2& size_px,
+              ProjectedHull& hull) {
+  for (const glm::vec3& p : p_object) {
+    const glm::dvec4 a = clip_from_object * glm::dvec4(p, 1.0);
+    if (!is_in_front(a)) continue;
+    for (const glm::vec3& q : p_object) {
+      const glm::dvec4 b = clip_from_object * glm::dvec4(q, 1.0);
+      if (is_in_front(b)) continue;
+      const double t = in_front(a) / (in_front(a) - in_front(b));
+      const glm::dvec4 cut = a + t * (b - a);
+      if (t <= 1.0 && cut.w > 0.0) add(hull, cut, size_px);
+    }
+  }
+}
+
 /// A float that is no less, or no greater, than the double.
 float rounded(double x, bool up) {
   const float nearest = float(x);
@@ -34,23 +52,32 @@ float rounded(double x, bool up) {
 ProjectedHull project_hull(std::span<const glm::vec3> p_object, const glm::dmat4& clip_from_object,
                            const glm::dvec2& size_px) {
   ProjectedHull hull;
-  std::vector<glm::dvec4> front, behind;
+  project_hull(p_object, clip_from_object, size_px, hull);
+  return hull;
+}
+
+void project_hull(std::span<const glm::vec3> p_object, const glm::dmat4& clip_from_object, const glm::dvec2& size_px,
+                  ProjectedHull& hull) {
+  hull.near_plane = NearPlane::behind;
+  hull.points_px.clear();
+  hull.nearest_depth = 0.0;
+  hull.farthest_depth = 1.0;
+  std::size_t n_behind = 0;
   for (const glm::vec3& p : p_object) {
     const glm::dvec4 p_clip = clip_from_object * glm::dvec4(p, 1.0);
-    if (!is_finite(p_clip)) return {NearPlane::crosses, {}, 1.0, 0.0};
-    (in_front(p_clip) > 0.0 && p_clip.w > 0.0 ? front : behind).push_back(p_clip);
-  }
-  if (front.empty()) return hull;
-  hull.near_plane = behind.empty() ? NearPlane::in_front : NearPlane::crosses;
-  for (const glm::dvec4& a : front) {
-    add(hull, a, size_px);
-    for (const glm::dvec4& b : behind) {
-      const double t = in_front(a) / (in_front(a) - in_front(b));
-      const glm::dvec4 cut = a + t * (b - a);
-      if (t <= 1.0 && cut.w > 0.0) add(hull, cut, size_px);
+    if (!is_finite(p_clip)) {
+      hull = {NearPlane::crosses, {}, 1.0, 0.0};
+      return;
+    }
+    if (is_in_front(p_clip)) {
+      add(hull, p_clip, size_px);
+    } else {
+      ++n_behind;
     }
   }
-  return hull;
+  if (n_behind == p_object.size()) return;
+  hull.near_plane = n_behind == 0 ? NearPlane::in_front : NearPlane::crosses;
+  if (n_behind > 0) add_cuts(p_object, clip_from_object, size_px, hull);
 }
 
 std::array<glm::vec3, 8> corners(const Bounds& box) {

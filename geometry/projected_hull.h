@@ -36,6 +36,10 @@ struct ProjectedHull {
 [[nodiscard]] ProjectedHull project_hull(std::span<const glm::vec3> p_object, const glm::dmat4& clip_from_object,
                                          const glm::dvec2& size_px);
 
+/// The same into a hull that was projected before, whose memory is used again.
+void project_hull(std::span<const glm::vec3> p_object, const glm::dmat4& clip_from_object, const glm::dvec2& size_px,
+                  ProjectedHull& hull);
+
 /// The corners of a box, x changing fastest. The box is not empty.
 [[nodiscard]] std::array<glm::vec3, 8> corners(const Bounds& box);
 

@@ -5,8 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "geometry/convex_chains.h"
-
 namespace lode::geometry {
 namespace {
 
@@ -80,15 +78,15 @@ SlabInterval on_line(const SlabInterval& y, const SlabParams& params) {
   return {bin(cut.low), bin(cut.high) + 1.0};
 }
 
-/// The union of a footprint's slabs begins and ends where there is something.
-SlabFootprint trimmed(int first, std::vector<SlabInterval> intervals) {
+/// A footprint begins and ends where there is something.
+void trim(SlabFootprint& footprint) {
+  std::vector<SlabInterval>& intervals = footprint.intervals;
   const auto something = [](const SlabInterval& y) { return y.low <= y.high; };
   const auto end = std::find_if(intervals.rbegin(), intervals.rend(), something).base();
   intervals.erase(end, intervals.end());
   const auto begin = std::find_if(intervals.begin(), intervals.end(), something);
-  first += int(begin - intervals.begin());
+  footprint.first += int(begin - intervals.begin());
   intervals.erase(intervals.begin(), begin);
-  return {first, std::move(intervals)};
 }
 
 /// From the least to the greatest y of any points.
@@ -98,41 +96,14 @@ SlabInterval y_range(std::span<const glm::dvec2> points) {
   return y;
 }
 
-/// Sec. 3.2: the edge loop's crossings with each line. In contrast to the paper, with `exact_x` a polygon may lie
-/// between two lines: it meets the one nearest to its middle, with all of its y.
-SlabFootprint line_footprint(std::span<const glm::dvec2> points, const SlabParams& params) {
-  const Slabs slabs(params);
-  std::vector<glm::dvec2> moved(points.begin(), points.end());
-  if (params.mode == SlabMode::paper) {
-    for (glm::dvec2& p : moved) p.x = slabs.line(slabs.nearest_line(p.x));
-  }
-  const ConvexChains chains = convex_chains(moved);
-  if (chains.right() < 0.0 || chains.left() > params.size_px.x) return {};
-  ChainWalk lower(chains.lower), upper(chains.upper);
-  std::vector<SlabInterval> intervals;
-  int first = slabs.first_line_from(chains.left());
-  for (int i = first; i < slabs.count() && slabs.line(i) <= chains.right(); ++i) {
-    const double x = slabs.line(i);
-    intervals.push_back(on_line({lower.at(x).y, upper.at(x).y}, params));
-  }
-  if (intervals.empty()) {
-    const double middle = 0.5 * (chains.left() + chains.right());
-    first = int(std::clamp(slabs.nearest_line(middle), 0.0, double(slabs.count() - 1)));
-    intervals.push_back(on_line(y_range(moved), params));
-  }
-  return trimmed(first, std::move(intervals));
-}
-
 /// Inner bounds: over a column the lower chain is highest, and the upper chain lowest, at one of the column's ends. So
 /// the rectangle from end to end lies in the polygon; shrunk by the margin it is what the column gets.
-SlabFootprint inner_columns(std::span<const glm::dvec2> points, const SlabParams& params) {
+void inner_columns(const ConvexChains& chains, const SlabParams& params, SlabFootprint& out) {
   const Slabs slabs(params);
-  const ConvexChains chains = convex_chains(points);
   const double margin = params.margin_px;
-  const int first = slabs.first_column_until(chains.left() + margin);
+  out.first = slabs.first_column_until(chains.left() + margin);
   ChainWalk low_left(chains.lower), high_left(chains.upper), low_right(chains.lower), high_right(chains.upper);
-  std::vector<SlabInterval> intervals;
-  for (int i = first; i < slabs.count(); ++i) {
+  for (int i = out.first; i < slabs.count(); ++i) {
     const double left = slabs.boundary(i) - margin, right = slabs.boundary(i + 1) + margin;
     if (right > chains.right()) break;
     SlabInterval y;
@@ -143,9 +114,9 @@ SlabFootprint inner_columns(std::span<const glm::dvec2> points, const SlabParams
       const auto [h1, h1_error] = high_right.at(right);
       y = {std::max(l0 + l0_error, l1 + l1_error) + margin, std::min(h0 - h0_error, h1 - h1_error) - margin};
     }
-    intervals.push_back(filled_bins(y, params));
+    out.intervals.push_back(filled_bins(y, params));
   }
-  return trimmed(first, std::move(intervals));
+  trim(out);
 }
 
 /// The corners of a chain from x = left to x = right, both growing from call to call.
@@ -167,15 +138,13 @@ class CornersBetween {
 
 /// Outer bounds: all that the polygon, grown by the margin, has of each column, cut to the screen. Its extremes in y
 /// are at the column's ends or at corners between them.
-SlabFootprint outer_columns(std::span<const glm::dvec2> points, const SlabParams& params) {
+void outer_columns(const ConvexChains& chains, const SlabParams& params, SlabFootprint& out) {
   const Slabs slabs(params);
-  const ConvexChains chains = convex_chains(points);
   const double margin = params.margin_px;
-  const int first = slabs.first_column_until(chains.left() - margin);
+  out.first = slabs.first_column_until(chains.left() - margin);
   ChainWalk low_left(chains.lower), high_left(chains.upper), low_right(chains.lower), high_right(chains.upper);
   CornersBetween low_corners(chains.lower), high_corners(chains.upper);
-  std::vector<SlabInterval> intervals;
-  for (int i = first; i < slabs.count() && slabs.boundary(i) - margin <= chains.right(); ++i) {
+  for (int i = out.first; i < slabs.count() && slabs.boundary(i) - margin <= chains.right(); ++i) {
     const double left = std::max(slabs.boundary(i) - margin, chains.left());
     const double right = std::min(slabs.boundary(i + 1) + margin, chains.right());
     const ChainHeight l0 = low_left.at(left), l1 = low_right.at(right);
@@ -184,9 +153,9 @@ SlabFootprint outer_columns(std::span<const glm::dvec2> points, const SlabParams
     y.low = std::min(y.low, y_range(low_corners(left, right)).low);
     y.high = std::max(y.high, y_range(high_corners(left, right)).high);
     y = {std::max(y.low - margin, 0.0), std::min(y.high + margin, params.size_px.y)};
-    intervals.push_back(y.low <= y.high ? touched_bins(y, params) : SlabInterval{});
+    out.intervals.push_back(y.low <= y.high ? touched_bins(y, params) : SlabInterval{});
   }
-  return trimmed(first, std::move(intervals));
+  trim(out);
 }
 
 bool usable(std::span<const glm::dvec2> points) {
@@ -197,19 +166,70 @@ bool usable(std::span<const glm::dvec2> points) {
 
 }  // namespace
 
+SlabFootprints::SlabFootprints(const SlabParams& params) : params_(params) { check(params); }
+
+void SlabFootprints::of_occluder(std::span<const glm::dvec2> points_px, SlabFootprint& out) {
+  out.first = 0;
+  out.intervals.clear();
+  if (points_px.empty() || !usable(points_px)) return;
+  if (params_.mode != SlabMode::conservative) return on_lines(points_px, out);
+  convex_chains(points_px, chains_);
+  inner_columns(chains_, params_, out);
+}
+
+void SlabFootprints::of_occludee(std::span<const glm::dvec2> points_px, SlabFootprint& out) {
+  out.first = 0;
+  out.intervals.clear();
+  if (points_px.empty()) return;
+  if (!usable(points_px)) {
+    out.intervals.push_back({-kInfinity, kInfinity});
+  } else if (params_.mode != SlabMode::conservative) {
+    on_lines(points_px, out);
+  } else {
+    convex_chains(points_px, chains_);
+    outer_columns(chains_, params_, out);
+  }
+}
+
+/// Sec. 3.2: the edge loop's crossings with each line. In contrast to the paper, with `exact_x` a polygon may lie
+/// between two lines: it meets the one nearest to its middle, with all of its y.
+void SlabFootprints::on_lines(std::span<const glm::dvec2> points, SlabFootprint& out) {
+  const SlabInterval all = y_range(points);
+  if (all.low > params_.size_px.y || all.high < 0.0) return;
+  const Slabs slabs(params_);
+  if (params_.mode == SlabMode::paper) {
+    moved_.assign(points.begin(), points.end());
+    for (glm::dvec2& p : moved_) p.x = slabs.line(slabs.nearest_line(p.x));
+    points = moved_;
+  }
+  const auto [left, right] = std::minmax_element(points.begin(), points.end(),
+                                                 [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
+  if (right->x < 0.0 || left->x > params_.size_px.x) return;
+  convex_chains(points, chains_);
+  ChainWalk lower(chains_.lower), upper(chains_.upper);
+  out.first = slabs.first_line_from(chains_.left());
+  for (int i = out.first; i < slabs.count() && slabs.line(i) <= chains_.right(); ++i) {
+    const double x = slabs.line(i);
+    out.intervals.push_back(on_line({lower.at(x).y, upper.at(x).y}, params_));
+  }
+  if (out.intervals.empty()) {
+    const double middle = 0.5 * (chains_.left() + chains_.right());
+    out.first = int(std::clamp(slabs.nearest_line(middle), 0.0, double(slabs.count() - 1)));
+    out.intervals.push_back(on_line(all, params_));
+  }
+  trim(out);
+}
+
 SlabFootprint occluder_footprint(std::span<const glm::dvec2> points_px, const SlabParams& params) {
-  check(params);
-  if (points_px.empty() || !usable(points_px)) return {};
-  if (params.mode == SlabMode::conservative) return inner_columns(points_px, params);
-  return line_footprint(points_px, params);
+  SlabFootprint footprint;
+  SlabFootprints(params).of_occluder(points_px, footprint);
+  return footprint;
 }
 
 SlabFootprint occludee_footprint(std::span<const glm::dvec2> points_px, const SlabParams& params) {
-  check(params);
-  if (points_px.empty()) return {};
-  if (!usable(points_px)) return {0, {{-kInfinity, kInfinity}}};
-  if (params.mode == SlabMode::conservative) return outer_columns(points_px, params);
-  return line_footprint(points_px, params);
+  SlabFootprint footprint;
+  SlabFootprints(params).of_occludee(points_px, footprint);
+  return footprint;
 }
 
 }  // namespace lode::geometry

@@ -16,7 +16,9 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
+#include <vector>
 
+#include "geometry/convex_chains.h"
 #include "geometry/slab_union.h"
 
 namespace lode::geometry {
@@ -39,9 +41,26 @@ struct SlabParams {
 /// covered.
 inline constexpr double kLargestSlabCoordinate = 0x1p40;
 
-/// Both: points in px, in any order, y up or down; O(n log n + slabs touched). Params are checked (std::logic_error).
+/// Makes footprints, one after the other, in memory that is used again. Params are checked (std::logic_error).
+class SlabFootprints {
+ public:
+  explicit SlabFootprints(const SlabParams& params = {});
+
+  /// Both: points in px, in any order, y up or down; O(n log n + slabs touched).
+  void of_occluder(std::span<const glm::dvec2> points_px, SlabFootprint& out);
+  /// Empty if nothing of it is on the screen.
+  void of_occludee(std::span<const glm::dvec2> points_px, SlabFootprint& out);
+
+ private:
+  void on_lines(std::span<const glm::dvec2> points, SlabFootprint& out);
+
+  SlabParams params_;
+  ConvexChains chains_;
+  std::vector<glm::dvec2> moved_;
+};
+
+/// One alone.
 [[nodiscard]] SlabFootprint occluder_footprint(std::span<const glm::dvec2> points_px, const SlabParams& params);
-/// Empty if nothing of it is on the screen.
 [[nodiscard]] SlabFootprint occludee_footprint(std::span<const glm::dvec2> points_px, const SlabParams& params);
 
 }  // namespace lode::geometry

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "geometry/projected_hull.h"
 #include "geometry/trigonometry.h"
 #include "techniques/objects_in_view.h"
 
@@ -36,6 +36,7 @@ SlabCulling::SlabCulling(const SlabCullingParams& params)
       slab_occluders_(params.n_slabs) {
   slab_params_.n_slabs = params.n_slabs;
   slab_params_.mode = params.slabs;
+  footprints_ = geometry::SlabFootprints(slab_params_);
 }
 
 void SlabCulling::prepare(std::vector<OccluderParts> shapes, std::vector<double> areas) {
@@ -49,7 +50,10 @@ void SlabCulling::prepare(std::vector<OccluderParts> shapes, std::vector<double>
 Counters SlabCulling::draw(const View& view, Stage& stage) {
   const World& world = stage.world();
   clip_from_world_ = geometry::clip_from_world(view.camera, view.size_px);
-  slab_params_.size_px = glm::dvec2(view.size_px);
+  if (slab_params_.size_px != glm::dvec2(view.size_px)) {
+    slab_params_.size_px = glm::dvec2(view.size_px);
+    footprints_ = geometry::SlabFootprints(slab_params_);
+  }
   n_points_ = n_parts_ = 0;
 
   // Step 1: what is in the view, and who may hide others.
@@ -77,7 +81,7 @@ Counters SlabCulling::draw(const View& view, Stage& stage) {
   {
     const auto timer = stage.time("projection");
     for (const ObjectId id : to_test) {
-      Occludee occludee{id, 0.0, {}};
+      Occludee occludee{id, std::find(occluders_.begin(), occluders_.end(), id) != occluders_.end(), 0.0, {}};
       if (!occluders_.empty() && find_occludee(view, world, id, occludee)) {
         left.push_back(std::move(occludee));
       } else {
@@ -107,45 +111,53 @@ Counters SlabCulling::draw(const View& view, Stage& stage) {
           {"part_points", n_points_}};
 }
 
-bool SlabCulling::find_occludee(const View& view, const World& world, ObjectId id, Occludee& out) const {
+bool SlabCulling::find_occludee(const View& view, const World& world, ObjectId id, Occludee& out) {
   const auto corners = geometry::corners(world.objects()[id].bounds);
-  const geometry::ProjectedHull box = geometry::project_hull(corners, clip_from_world_, glm::dvec2(view.size_px));
-  if (box.near_plane != geometry::NearPlane::in_front) return false;
-  out.nearest_depth = box.nearest_depth;
-  out.footprint = geometry::occludee_footprint(box.points_px, slab_params_);
+  geometry::project_hull(corners, clip_from_world_, glm::dvec2(view.size_px), projected_);
+  if (projected_.near_plane != geometry::NearPlane::in_front) return false;
+  out.nearest_depth = projected_.nearest_depth;
+  footprints_.of_occludee(projected_.points_px, out.footprint);
   return !out.footprint.empty();  // nothing of it on the screen: frustum culling is not ours to do again
 }
 
 void SlabCulling::project_occluders(const View& view, const World& world, std::size_t level) {
-  parts_.clear();
+  parts_of_.clear();
+  farthest_depth_.clear();
+  hides_occluders_.clear();
   slab_occluders_.clear();
   for (const ObjectId id : occluders_) {
     const OccluderParts& shape = shapes_[world.objects()[id].shape];
     if (level >= shape.levels.size()) continue;
     if (params_.whole_occluders_only) {
       const auto corners = geometry::corners(world.objects()[id].bounds);
-      const auto box = geometry::project_hull(corners, clip_from_world_, glm::dvec2(view.size_px));
-      if (box.near_plane != geometry::NearPlane::in_front) continue;
+      geometry::project_hull(corners, clip_from_world_, glm::dvec2(view.size_px), projected_);
+      if (projected_.near_plane != geometry::NearPlane::in_front) continue;
     }
-    for (const std::vector<glm::vec3>& points : shape.levels[level]) add_part(view, world, id, points);
+    const auto begin = std::uint32_t(farthest_depth_.size());
+    for (std::size_t i = 0; i < shape.levels[level].size(); ++i) {
+      const bool hides_occluders = shape.hides_occluders.empty() || shape.hides_occluders[level][i] != 0;
+      add_part(view, world, id, shape.levels[level][i], hides_occluders);
+    }
+    parts_of_.push_back({id, begin, std::uint32_t(farthest_depth_.size())});
   }
   slab_occluders_.sort();
 }
 
-void SlabCulling::add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points) {
+void SlabCulling::add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points,
+                           bool hides_occluders) {
   const glm::dmat4& world_from_shape = world.objects()[id].world_from_shape;
-  const geometry::ProjectedHull part =
-      geometry::project_hull(points, clip_from_world_ * world_from_shape, glm::dvec2(view.size_px));
+  geometry::project_hull(points, clip_from_world_ * world_from_shape, glm::dvec2(view.size_px), projected_);
   ++n_parts_, n_points_ += points.size();
-  if (part.near_plane == geometry::NearPlane::behind) return;
-  const bool crosses = part.near_plane == geometry::NearPlane::crosses;
+  if (projected_.near_plane == geometry::NearPlane::behind) return;
+  const bool crosses = projected_.near_plane == geometry::NearPlane::crosses;
   if (crosses && (params_.whole_occluders_only || may_hold(points, glm::inverse(world_from_shape), view.camera.eye))) {
     return;  // from inside, a hull hides nothing
   }
-  const geometry::SlabFootprint footprint = geometry::occluder_footprint(part.points_px, slab_params_);
-  if (footprint.empty()) return;
-  slab_occluders_.add(footprint);
-  parts_.push_back({id, part.farthest_depth});
+  footprints_.of_occluder(projected_.points_px, footprint_);
+  if (footprint_.empty()) return;
+  slab_occluders_.add(footprint_);
+  farthest_depth_.push_back(projected_.farthest_depth);
+  hides_occluders_.push_back(hides_occluders);
 }
 
 bool SlabCulling::may_hide(const View& view, const World& world, ObjectId occluder, ObjectId occludee) const {
@@ -157,20 +169,20 @@ bool SlabCulling::may_hide(const View& view, const World& world, ObjectId occlud
 }
 
 bool SlabCulling::hidden(const View& view, const World& world, const Occludee& occludee) {
-  counts_.assign(parts_.size(), 0);
-  const double nearest = occludee.nearest_depth + kDepthRounding * std::fabs(occludee.nearest_depth);
-  for (std::size_t begin = 0; begin < parts_.size();) {  // parts of one occluder are side by side
-    const ObjectId occluder = parts_[begin].object;
-    const bool may = may_hide(view, world, occluder, occludee.object);
-    std::size_t end = begin;
-    for (; end < parts_.size() && parts_[end].object == occluder; ++end) {
-      counts_[end] = may && (!params_.depth_rule || parts_[end].farthest_depth >= nearest) ? 1 : 0;
+  counts_.assign(farthest_depth_.size(), 0);
+  const double nearest = params_.depth_rule
+                             ? occludee.nearest_depth + kDepthRounding * std::fabs(occludee.nearest_depth)
+                             : -std::numeric_limits<double>::infinity();
+  const std::uint8_t any = occludee.is_occluder ? 0 : 1;
+  for (const PartsOf& parts : parts_of_) {
+    if (!may_hide(view, world, parts.object, occludee.object)) continue;
+    for (std::uint32_t k = parts.begin; k < parts.end; ++k) {
+      counts_[k] = std::uint8_t((any | hides_occluders_[k]) & std::uint8_t(farthest_depth_[k] >= nearest));
     }
-    if (params_.fusion == Fusion::per_occluder && may) {
+    if (params_.fusion == Fusion::per_occluder) {
       if (slab_occluders_.cover(occludee.footprint, counts_)) return true;
-      std::fill(counts_.begin() + std::ptrdiff_t(begin), counts_.begin() + std::ptrdiff_t(end), std::uint8_t{0});
+      std::fill(counts_.begin() + parts.begin, counts_.begin() + parts.end, std::uint8_t{0});
     }
-    begin = end;
   }
   return params_.fusion == Fusion::all && slab_occluders_.cover(occludee.footprint, counts_);
 }

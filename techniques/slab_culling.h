@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "geometry/projected_hull.h"
 #include "geometry/slab_occluders.h"
 #include "geometry/slab_test.h"
 #include "techniques/occluder_choice.h"
@@ -51,6 +52,8 @@ struct SlabCullingParams {
 /// shape's space. No level, or no part: it hides nothing.
 struct OccluderParts {
   std::vector<std::vector<std::vector<glm::vec3>>> levels;
+  /// [levels][parts] whether it hides other occluders, too; empty: they all do.
+  std::vector<std::vector<std::uint8_t>> hides_occluders;
 };
 
 class SlabCulling {
@@ -68,23 +71,27 @@ class SlabCulling {
   Counters draw(const View& view, Stage& stage);
 
  private:
-  struct Part {
+  /// The parts of one occluder, in the order of slab_occluders_: begin…end − 1.
+  struct PartsOf {
     ObjectId object;
-    double farthest_depth;
+    std::uint32_t begin, end;
   };
   struct Occludee {
     ObjectId object;
+    bool is_occluder;
     double nearest_depth;
     geometry::SlabFootprint footprint;
   };
   void project_occluders(const View& view, const World& world, std::size_t level);
-  void add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points);
-  [[nodiscard]] bool find_occludee(const View& view, const World& world, ObjectId id, Occludee& out) const;
+  void add_part(const View& view, const World& world, ObjectId id, const std::vector<glm::vec3>& points,
+                bool hides_occluders);
+  [[nodiscard]] bool find_occludee(const View& view, const World& world, ObjectId id, Occludee& out);
   [[nodiscard]] bool hidden(const View& view, const World& world, const Occludee& occludee);
   [[nodiscard]] bool may_hide(const View& view, const World& world, ObjectId occluder, ObjectId occludee) const;
 
   SlabCullingParams params_;
   geometry::SlabParams slab_params_;
+  geometry::SlabFootprints footprints_;
   double least_cosine_ = -1.0;
   std::vector<OccluderParts> shapes_;
   std::vector<double> areas_;
@@ -93,10 +100,14 @@ class SlabCulling {
   // Of one frame.
   glm::dmat4 clip_from_world_{1.0};
   std::vector<ObjectId> occluders_;
-  std::vector<Part> parts_;  ///< in the order of slab_occluders_
+  std::vector<PartsOf> parts_of_;
+  std::vector<double> farthest_depth_;         ///< [parts]
+  std::vector<std::uint8_t> hides_occluders_;  ///< [parts]
   geometry::SlabOccluders slab_occluders_;
   std::vector<std::uint8_t> counts_;  ///< [parts]
   std::uint64_t n_points_ = 0, n_parts_ = 0;
+  geometry::ProjectedHull projected_;
+  geometry::SlabFootprint footprint_;
 };
 
 }  // namespace lode::techniques

@@ -1,10 +1,10 @@
 #include "experiments/convex_approximation/convex_approximation.h"
 
-#include <chrono>
 #include <cstdlib>
-#include <map>
 
+#include "experiments/convex_approximation/growth.h"
 #include "experiments/convex_approximation/section.h"
+#include "experiments/convex_approximation/stage_clock.h"
 #include "experiments/progress.h"
 #include "geometry/model_file.h"
 #include "geometry/procedural/furniture.h"
@@ -72,29 +72,6 @@ TwoSided two_sided(const Subject& subject, const ApproximationLevel& level, std:
   return model > 0.0 ? TwoSided{100.0 * over / model, 100.0 * under / model} : TwoSided{};
 }
 
-constexpr const char* kStages[] = {"weld", "area", "cluster", "partition", "hulls"};
-
-/// Seconds spent in each part of the work.
-class StageClock {
- public:
-  void enter(ApproximationStage stage) {
-    const auto now = std::chrono::steady_clock::now();
-    if (current_ < std::size(kStages)) seconds_[current_] += std::chrono::duration<double>(now - since_).count();
-    current_ = std::size_t(stage), since_ = now;
-  }
-  void add_to(Row& row) const {
-    double all = 0.0;
-    for (const double s : seconds_) all += s;
-    row.add("seconds", all);
-    for (std::size_t k = 0; k < std::size(kStages); ++k) row.add(std::string(kStages[k]) + "_s", seconds_[k]);
-  }
-
- private:
-  std::size_t current_ = std::size(kStages);
-  double seconds_[std::size(kStages)] = {};
-  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
-};
-
 void approximate_subject(const Subject& subject, const ExperimentRun& run, ExperimentResults& results) {
   const std::vector<glm::dvec3> all = measured_directions(run.full ? 100 : 20, run.seed);
   const std::span<const glm::dvec3> axes(all.data(), 3), random(all.data() + 3, all.size() - 3);
@@ -140,6 +117,7 @@ ExperimentResults run(const ExperimentRun& run) {
     progress.add(1);
   }
   results.summary = results.results;
+  add_growth(run, results);
   return results;
 }
 

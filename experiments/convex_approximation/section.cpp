@@ -1,5 +1,6 @@
 #include "experiments/convex_approximation/section.h"
 
+#include "experiments/convex_approximation/growth.h"
 #include "experiments/report/html.h"
 
 namespace lode::experiments {
@@ -18,6 +19,7 @@ constexpr PaperRow kPaper[] = {{"table", 1, 9, 210, 0.75}, {"table", 2, 17, 282,
 std::vector<Row> beside_the_paper(const std::vector<Row>& rows) {
   std::vector<Row> all;
   for (const Row& row : rows) {
+    if (row.text("model") == kGrowth) continue;
     Row& one = all.emplace_back(row);
     for (const PaperRow& paper : kPaper) {
       if (row.text("model") != paper.model || row.number("level") != paper.level) continue;

@@ -25,8 +25,10 @@ namespace {
 /// Each with the renderer's occlusion skipping off, then with it.
 constexpr const char* kMethods[] = {"plain",
                                     "frustum_culling",
+                                    "oracle",
                                     "hierarchical_z",
                                     "masked_occlusion",
+                                    "masked_occlusion:shape=inner_boxes",
                                     "inner_boxes",
                                     "convex_culling:mode=literal",
                                     "convex_culling:mode=safe",
@@ -42,10 +44,33 @@ constexpr std::array kAttributed = {"convex_culling:mode=literal", "convex_culli
 constexpr int kQuickFrames = 12, kQuickViewpoints = 24, kFullViewpoints = 1000;
 constexpr int kQuickRounds = 3, kFullRounds = 5;
 
-/// Frame numbers spread over the walk: all of it, or a few.
-std::vector<std::uint32_t> frames_of(int n_frames, bool full) {
+/// What a run may choose: -1 is what its size has.
+constexpr double kOfSize = -1.0;
+const std::vector<std::string> kScenes = {"town179", "interior124"},
+                               kKitScenes = {"kit_city", "kit_dungeon", "kit_rooms"};
+
+std::vector<Parameter> parameters() {
+  std::vector<std::string> scenes = {"all"};
+  scenes.insert(scenes.end(), kScenes.begin(), kScenes.end());
+  scenes.insert(scenes.end(), kKitScenes.begin(), kKitScenes.end());
+  const auto number = [](const char* name, const char* meaning, double high) {
+    return Parameter{name, std::string(meaning) + "; -1: as the size has it", kOfSize, high, kOfSize, true};
+  };
+  return {choice_parameter("scene", "one alone, or all that there are", std::move(scenes), 0),
+          number("frames", "looked at of each walk, at most", 1e6),
+          number("viewpoints", "random ones in each scene", 1e6),
+          number("rounds", "timed, of all methods in turn; 0: nothing is timed", 1000)};
+}
+
+int chosen(const ExperimentRun& run, const char* name, int quick, int full) {
+  const double value = run.values.at(name);
+  return value == kOfSize ? (run.full ? full : quick) : int(value);
+}
+
+/// Frame numbers spread over the walk.
+std::vector<std::uint32_t> frames_of(int n_frames, int n_most) {
   std::vector<std::uint32_t> frames;
-  const int n = full ? n_frames : std::min(kQuickFrames, n_frames);
+  const int n = std::min(n_most, n_frames);
   for (int k = 0; k < n; ++k) frames.push_back(std::uint32_t(std::int64_t(k) * n_frames / n));
   return frames;
 }
@@ -55,18 +80,20 @@ std::vector<CullingCase> cases_of(const geometry::Scene& scene, const Experiment
   base.scene = scene.name;
   base.scene_hash = hash_of(scene);
   base.seed = run.seed;
-  base.n_rounds = run.full ? kFullRounds : kQuickRounds;
+  base.n_rounds = chosen(run, "rounds", kQuickRounds, kFullRounds);
   std::vector<CullingCase> cases;
   for (const geometry::CameraPath& path : scene.paths) {
     CullingCase& one = cases.emplace_back(base);
     one.path = path.name;
-    one.frames = frames_of(path.n_frames, run.full);
+    one.frames = frames_of(path.n_frames, chosen(run, "frames", kQuickFrames, path.n_frames));
     for (const std::uint32_t frame : one.frames) one.cameras.push_back(geometry::camera_at(path, int(frame)));
   }
   CullingCase& random = cases.emplace_back(base);
   random.path = "random viewpoints";
-  random.cameras = geometry::random_viewpoints(scene, run.seed, run.full ? kFullViewpoints : kQuickViewpoints);
+  random.cameras =
+      geometry::random_viewpoints(scene, run.seed, chosen(run, "viewpoints", kQuickViewpoints, kFullViewpoints));
   for (std::uint32_t k = 0; k < random.cameras.size(); ++k) random.frames.push_back(k);
+  std::erase_if(cases, [](const CullingCase& one) { return one.cameras.empty(); });
   return cases;
 }
 
@@ -81,7 +108,7 @@ std::vector<Method> methods() {
 
 /// What a finished case depends on, beside the program itself.
 std::string key_of(const CullingCase& one, const ExperimentRun& run) {
-  std::string key = "convex_culling case 2; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
+  std::string key = "convex_culling case 3; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
                     std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
   for (const Method& method : methods()) key += " " + settings_of(method) + ";";
@@ -190,10 +217,10 @@ void run_scene(const std::string& name, const ExperimentRun& run, ExperimentResu
 
 ExperimentResults run(const ExperimentRun& run) {
   ExperimentResults results;
-  std::vector<std::string> scenes = {"town179", "interior124"};
-  if (std::getenv("LODESTONE_ASSETS") != nullptr) {
-    scenes.insert(scenes.end(), {"kit_city", "kit_dungeon", "kit_rooms"});
-  }
+  std::vector<std::string> scenes = kScenes;
+  if (std::getenv("LODESTONE_ASSETS") != nullptr) scenes.insert(scenes.end(), kKitScenes.begin(), kKitScenes.end());
+  const std::vector<Parameter> known = parameters();
+  if (const double scene = run.values.at("scene"); scene > 0.0) scenes = {value_text(known.front(), scene)};
   for (const std::string& scene : scenes) run_scene(scene, run, results);
   return results;
 }
@@ -201,11 +228,8 @@ ExperimentResults run(const ExperimentRun& run) {
 }  // namespace
 
 Experiment convex_culling_experiment() {
-  return {"convex_culling",
-          "What occlusion culling by convex hulls saves and what it loses, beside its rivals",
-          {},
-          run,
-          convex_culling_section};
+  return {"convex_culling", "What occlusion culling by convex hulls saves and what it loses, beside its rivals",
+          parameters(), run, convex_culling_section};
 }
 
 }  // namespace lode::experiments

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -63,6 +64,9 @@ class CaseRunner {
         raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, whole_, options_));
     const auto owns = [&](ObjectId id) { return truth.centre[id] > 0; };
     const auto n_visible = std::int64_t(std::count_if(inside.begin(), inside.end(), owns));
+    std::vector<ObjectId> seen;
+    std::copy_if(inside.begin(), inside.end(), std::back_inserter(seen), owns);
+    for (PreparedMethod* method : methods_) method->show(seen);
     const auto n_shown = std::int64_t(std::accumulate(truth.centre.begin(), truth.centre.end(), std::uint64_t{0}));
     for (PreparedMethod* method : methods_) {
       static_cast<void>(method->draw(view, drawn_));

@@ -8,7 +8,7 @@
 namespace lode::experiments {
 namespace {
 
-constexpr std::string_view kWithSkips = " + skips";
+constexpr std::string_view kWithSkips = " + skips", kOracle = "oracle";
 
 double now_ms() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -19,11 +19,12 @@ double now_ms() {
 Method make_method(std::string_view text) {
   const bool skips = text.ends_with(kWithSkips);
   const std::string_view technique = skips ? text.substr(0, text.size() - kWithSkips.size()) : text;
-  return {std::string(text), read_technique("method", technique), skips};
+  const bool oracle = technique == kOracle;
+  return {std::string(text), read_technique("method", oracle ? "plain" : technique), oracle, skips};
 }
 
 std::string settings_of(const Method& method) {
-  std::string text = method.technique.entry->name;
+  std::string text = method.oracle ? std::string(kOracle) : method.technique.entry->name;
   for (const Parameter& p : method.technique.entry->parameters) {
     text += " " + p.name + "=" + value_text(p, method.technique.values.at(p.name));
   }
@@ -44,7 +45,11 @@ PreparedMethod::Times PreparedMethod::draw(const techniques::View& view, raster:
   Times times;
   const double begin_ms = now_ms();
   stage_.begin(view);
-  counters_ = technique_.draw(view, stage_);
+  if (method_.oracle) {
+    for (const techniques::ObjectId id : shown_) stage_.object(id);
+  } else {
+    counters_ = technique_.draw(view, stage_);
+  }
   const std::span<const raster::Draw> draws = stage_.draws();
   const double decided_ms = now_ms();
   work_ = raster::render({.draws = draws, .clear = clear, .viewport = {}, .scissor = {}}, image, options_);

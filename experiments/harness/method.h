@@ -1,7 +1,10 @@
 #pragma once
 /// A technique as an experiment runs it: with its settings, and with the renderer's own occlusion skipping on or off.
+/// And the oracle, which is no technique: it is told what can be seen and draws that, at no cost, so that nothing that
+/// leaves out whole objects can be faster.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/technique_list.h"
@@ -11,13 +14,14 @@ namespace lode::experiments {
 struct Method {
   std::string name;  ///< of its rows: "convex_culling:mode=safe", with " + skips" if the renderer skips, too
   TechniqueChoice technique;
+  bool oracle = false;          ///< "oracle": the technique is not asked
   bool renderer_skips = false;  ///< what is behind what was drawn (Skips::occlusion); all other skips are always on
 };
 
 /// Every setting, those that were not named, too: what a method's results depend on.
 [[nodiscard]] std::string settings_of(const Method& method);
 
-/// "technique:k=v" or "technique:k=v + skips". Throws Error as read_technique does.
+/// "technique:k=v" or "oracle", either with " + skips" or without. Throws Error as read_technique does.
 [[nodiscard]] Method make_method(std::string_view text);
 
 /// A method at work on a world, prepared.
@@ -30,11 +34,16 @@ class PreparedMethod {
     double technique_ms = 0.0, render_ms = 0.0;
     [[nodiscard]] double frame_ms() const { return technique_ms + render_ms; }
   };
+  /// What the oracle draws in the frames that follow.
+  void show(std::vector<techniques::ObjectId> objects) { shown_ = std::move(objects); }
+
   /// Decides and draws.
   Times draw(const techniques::View& view, raster::Image& image, const glm::vec4& clear = glm::vec4(0.0f));
 
   [[nodiscard]] const Method& method() const { return method_; }
-  [[nodiscard]] techniques::Promise promise() const { return technique_.promise(); }
+  [[nodiscard]] techniques::Promise promise() const {
+    return method_.oracle ? techniques::Promise::conservative_sampled : technique_.promise();
+  }
   [[nodiscard]] double prepare_ms() const { return prepare_ms_; }
   // Of the last frame.
   [[nodiscard]] const techniques::Stage& stage() const { return stage_; }
@@ -48,6 +57,7 @@ class PreparedMethod {
   raster::FrameMemory memory_;
   techniques::Stage stage_;
   AnyTechnique technique_;
+  std::vector<techniques::ObjectId> shown_;
   double prepare_ms_ = 0.0;
   techniques::Counters counters_;
   raster::FrameStats work_;

@@ -7,6 +7,7 @@
 #include "geometry/inner_hulls.h"
 #include "geometry/solid.h"
 #include "raster/parallel.h"
+#include "techniques/convex_culling/excess.h"
 
 namespace lode::techniques {
 namespace {
@@ -46,10 +47,42 @@ bool is_finite(const Shape& shape) {
 
 using Levels = std::vector<std::vector<std::vector<glm::vec3>>>;  ///< OccluderParts::levels
 
-Levels hulls_of(const ConvexApproximation& approximation) {
-  Levels levels;
-  for (const convex_culling::ApproximationLevel& level : approximation.levels) levels.push_back(level.hulls);
-  return levels;
+/// [shapes][levels]; of levels that no one asks, empty.
+using Excesses = std::vector<std::vector<convex_culling::Excess>>;
+
+Excesses excesses_of(const World& world, std::span<const ConvexApproximation> approximations, LevelRule rule,
+                     int threads) {
+  Excesses all(approximations.size());
+  raster::parallel_for(all.size(), raster::worker_count(threads), [&](std::size_t i, int) {
+    const std::vector<convex_culling::ApproximationLevel>& levels = approximations[i].levels;
+    if (levels.empty()) return;
+    const Shape shape = world.shape(std::uint32_t(i));
+    all[i].resize(levels.size());
+    for (std::size_t l = rule == LevelRule::last ? levels.size() - 1 : 0; l < levels.size(); ++l) {
+      all[i][l] = convex_culling::excess(shape.positions, shape.indices, levels[l].hulls);
+    }
+  });
+  return all;
+}
+
+/// Of hulls that hide more than they may, none.
+OccluderParts parts_of(const ConvexApproximation& approximation, std::span<const convex_culling::Excess> excesses,
+                       const ConvexCulling::Params& params) {
+  const std::size_t n_levels = approximation.levels.size();
+  if (approximation.relative_error(n_levels - 1) > params.largest_error) return {};
+  if (!excesses.empty() && excesses[n_levels - 1].model > params.largest_excess) return {};
+  OccluderParts parts;
+  for (std::size_t l = 0; l < n_levels; ++l) {
+    auto& hulls = parts.levels.emplace_back();
+    auto& hides_occluders = parts.hides_occluders.emplace_back();
+    for (std::size_t i = 0; i < approximation.levels[l].hulls.size(); ++i) {
+      const double excess = excesses.empty() || excesses[l].hulls.empty() ? 0.0 : excesses[l].hulls[i];
+      if (excess > params.largest_hull_excess) continue;
+      hulls.push_back(approximation.levels[l].hulls[i]);
+      hides_occluders.push_back(excess <= params.largest_occluder_excess);
+    }
+  }
+  return parts;
 }
 
 /// The hulls, shrunk into the models. A shape whose positions were rounded is not the model to the last bit: it has
@@ -90,6 +123,11 @@ ConvexCulling::Params ConvexCulling::params_for(Mode mode) {
   params.mode = mode;
   params.slabs.depth_rule = params.slabs.test_occluders = mode != Mode::literal;
   params.slabs.whole_occluders_only = mode == Mode::conservative;
+  if (mode == Mode::safe) params.largest_occluder_excess = 0.05;
+  if (mode == Mode::conservative) {  // nothing is lost by looking at more
+    params.slabs.angle_limit_deg = 180.0;
+    params.slabs.occluders.most = 32;
+  }
   // Counted as a sum, a limit that all vertices keep does not turn hulls into single polygons, which have no inside.
   if (mode == Mode::conservative) params.approximation.count = convex_culling::VertexCount::sum;
   params.slabs.slabs = mode == Mode::conservative ? geometry::SlabMode::conservative : geometry::SlabMode::paper;
@@ -112,15 +150,22 @@ void ConvexCulling::prepare(Stage& stage) {
     inner = world.once<std::vector<Levels>>(key_of(params_) + "; inner",
                                             [&] { return inner_levels(world, *found, stage.threads()); });
   }
+  std::shared_ptr<const Excesses> excesses;
+  if (params_.mode != Mode::conservative &&
+      std::min({params_.largest_excess, params_.largest_hull_excess, params_.largest_occluder_excess}) < kAny) {
+    const LevelRule rule = params_.slabs.levels;
+    excesses = world.once<Excesses>(key_of(params_) + "; excess " + std::to_string(int(rule)),
+                                    [&] { return excesses_of(world, *found, rule, stage.threads()); });
+  }
   std::vector<OccluderParts> shapes(world.n_shapes());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const ConvexApproximation& approximation = (*found)[i];
-    const std::size_t n_levels = approximation.levels.size();
-    if (n_levels == 0) continue;
+    if (approximation.levels.empty()) continue;
     if (inner) {  // however they err as approximations, they hide nothing that is seen
       shapes[i].levels = (*inner)[i];
-    } else if (approximation.relative_error(n_levels - 1) <= params_.largest_error) {
-      shapes[i].levels = hulls_of(approximation);
+    } else {
+      using List = std::span<const convex_culling::Excess>;
+      shapes[i] = parts_of(approximation, excesses ? List((*excesses)[i]) : List(), params_);
     }
   }
   culling_.prepare(std::move(shapes), std::move(areas));

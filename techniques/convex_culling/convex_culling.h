@@ -19,6 +19,8 @@ class ConvexCulling {
  public:
   enum class Mode : std::uint8_t { literal, safe, conservative };
 
+  static constexpr double kAny = 1e9;  ///< no limit
+
   struct Params {
     Mode mode = Mode::safe;
     convex_culling::ApproximationParams approximation;  ///< limits empty: 6 % and 13 % of a shape's vertices
@@ -26,10 +28,18 @@ class ConvexCulling {
     /// how.
     double least_area_quantile = 0.5;
     double largest_error = 0.1;  ///< and a relative error at the last level of at most this
-    SlabCullingParams slabs;     ///< as params_for() has them for the mode
+    /// And hide too much by at most this share of their silhouette, from any of some fixed directions (excess.h): all
+    /// hulls of a shape together. Ours.
+    double largest_excess = kAny;
+    /// Hulls that alone hide too much by more than this share of their own silhouette are left out. Ours.
+    double largest_hull_excess = kAny;
+    /// And those that do by more than this share hide no other occluder: it is large, and much is lost with it. Ours.
+    double largest_occluder_excess = kAny;
+    SlabCullingParams slabs;  ///< as params_for() has them for the mode
   };
   /// The mode's rules: literal has no depth rule, draws every occluder and moves corners to slabs; safe has the depth
-  /// rule; conservative has that, columns, and no occluder that the near plane may cut.
+  /// rule, and hides an occluder only by hulls of an excess of at most 5 %; conservative has the depth rule, columns,
+  /// no occluder that the near plane may cut, and, since nothing is lost by it, no angle limit and 32 occluders.
   [[nodiscard]] static Params params_for(Mode mode);
 
   ConvexCulling() : ConvexCulling(params_for(Mode::safe)) {}

@@ -36,39 +36,61 @@ Plane plane_across(const glm::dvec3& direction) {
   return {u, glm::cross(d, u)};
 }
 
+/// A model's silhouette along a direction, on lines that reach over it and over all hulls.
+class Silhouette {
+ public:
+  Silhouette(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+             std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines)
+      : plane_(plane_across(direction)) {
+    if (n_lines < 1 || n_lines > 4096) throw std::logic_error("coverage_error: expected 1 to 4096 lines");
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    const auto widen = [&](const glm::vec3& p) {
+      const double x = plane_.flat(p).x;
+      left = std::min(left, x), right = std::max(right, x);
+    };
+    for (const std::uint32_t i : indices) widen(positions[i]);
+    for (const std::vector<glm::vec3>& hull : hulls) std::ranges::for_each(hull, widen);
+    if (left <= right) lines_ = {left, right, n_lines};
+    model_.clear(lines_);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+      model_.add_triangle(plane_.flat(positions[indices[i]]), plane_.flat(positions[indices[i + 1]]),
+                          plane_.flat(positions[indices[i + 2]]));
+    }
+  }
+
+  [[nodiscard]] CoverageError error_of(std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction) {
+    hulls_.clear(lines_);
+    for (const std::vector<glm::vec3>& hull : hulls) {
+      flat_.clear();
+      for (const glm::vec3& p : hull) flat_.push_back(plane_.flat(p));
+      hulls_.add_hull(flat_);
+    }
+    return {direction, model_.area(), hulls_.area(), hulls_.area_without(model_), model_.area_without(hulls_)};
+  }
+
+ private:
+  Plane plane_;
+  Lines lines_;
+  LineUnion model_, hulls_;
+  std::vector<glm::dvec2> flat_;
+};
+
 }  // namespace
 
 CoverageError coverage_error(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
                              std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines) {
-  if (n_lines < 1 || n_lines > 4096) throw std::logic_error("coverage_error: expected 1 to 4096 lines");
-  const Plane plane = plane_across(direction);
-  Lines lines = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), n_lines};
-  const auto widen = [&](const glm::vec3& p) {
-    const double x = plane.flat(p).x;
-    lines = {std::min(lines.left, x), std::max(lines.right, x), n_lines};
-  };
-  for (const std::uint32_t i : indices) widen(positions[i]);
-  for (const std::vector<glm::vec3>& hull : hulls) std::ranges::for_each(hull, widen);
-  CoverageError result{.direction = direction};
-  if (lines.left > lines.right) return result;
+  Silhouette silhouette(positions, indices, hulls, direction, n_lines);
+  return silhouette.error_of(hulls, direction);
+}
 
-  LineUnion model, approximation;
-  model.clear(lines);
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    model.add_triangle(plane.flat(positions[indices[i]]), plane.flat(positions[indices[i + 1]]),
-                       plane.flat(positions[indices[i + 2]]));
-  }
-  approximation.clear(lines);
-  std::vector<glm::dvec2> flat;
+EachCoverage each_coverage(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                           std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction, int n_lines) {
+  Silhouette silhouette(positions, indices, hulls, direction, n_lines);
+  EachCoverage result{silhouette.error_of(hulls, direction), {}};
   for (const std::vector<glm::vec3>& hull : hulls) {
-    flat.clear();
-    for (const glm::vec3& p : hull) flat.push_back(plane.flat(p));
-    approximation.add_hull(flat);
+    const CoverageError alone = silhouette.error_of({&hull, 1}, direction);
+    result.hulls.push_back({alone.hull_area, alone.over});
   }
-  result.model_area = model.area();
-  result.hull_area = approximation.area();
-  result.over = approximation.area_without(model);
-  result.under = model.area_without(approximation);
   return result;
 }
 

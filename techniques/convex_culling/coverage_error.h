@@ -32,6 +32,21 @@ struct CoverageError {
                                            std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction,
                                            int n_lines = 256);
 
+/// What one hull covers along a direction, alone, and how much of that the model does not. Units squared.
+struct HullCoverage {
+  double area = 0.0;
+  double over = 0.0;
+};
+
+/// The same of all hulls together and of each alone; same arguments, same checks.
+struct EachCoverage {
+  CoverageError all;
+  std::vector<HullCoverage> hulls;  ///< [hulls]
+};
+[[nodiscard]] EachCoverage each_coverage(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                                         std::span<const std::vector<glm::vec3>> hulls, const glm::dvec3& direction,
+                                         int n_lines = 256);
+
 /// x, y and z, then n_random directions that are uniform over the sphere: what the two-sided error is reported over.
 [[nodiscard]] std::vector<glm::dvec3> measured_directions(int n_random = 100, std::uint64_t seed = 1);
 

@@ -7,6 +7,8 @@ namespace lode::techniques {
 
 SlabCullingParams InnerBoxes::default_slabs() {
   SlabCullingParams slabs;
+  slabs.occluders.most = 32;
+  slabs.angle_limit_deg = 180.0;  // nothing is lost without one
   slabs.depth_rule = true;
   slabs.whole_occluders_only = true;
   slabs.slabs = geometry::SlabMode::conservative;

@@ -84,6 +84,7 @@ TEST(ConvexCulling, LosesWhatIsSeenThroughAHollowUnlessConservative) {
   const auto is_drawn = [&](Mode mode) -> bool {
     ConvexCulling::Params params = params_for(mode);
     params.approximation.limits = {26};  // one hull
+    params.slabs.occluders.most = 1;     // the frame
     params.largest_error = 10.0;
     return Showing(world, ConvexCulling(params)).picture(front_view()).drawn[1];
   };
