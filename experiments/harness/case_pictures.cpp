@@ -5,8 +5,6 @@
 #include <charconv>
 
 #include "experiments/harness/visible_samples.h"
-#include "experiments/metrics/flip/flip.h"
-#include "experiments/metrics/magma.h"
 #include "experiments/whole_file.h"
 #include "geometry/image_file.h"
 #include "raster/render.h"
@@ -71,12 +69,6 @@ std::vector<glm::u8vec4> difference_of(const raster::Image& whole, const techniq
     bytes[i] = lost ? glm::u8vec4(255, 40, 40, 255) : glm::u8vec4(grey, grey, grey, 255);
   }
   return bytes;
-}
-
-std::vector<glm::u8vec4> flip_picture(glm::ivec2 size_px, const raster::Image& whole, const raster::Image& drawn,
-                                      int threads) {
-  const std::vector<glm::u8vec4> a = display_of(whole), b = display_of(drawn);
-  return magma_picture(flip_map({size_px, a, b}, {.threads = threads}).errors);
 }
 
 }  // namespace
@@ -146,12 +138,11 @@ std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t
   write_png(folder + "/" + name + ".whole.png", one.size_px, display_of(whole));
   write_png(folder + "/" + name + ".drawn.png", one.size_px, display_of(drawn));
   write_png(folder + "/" + name + ".difference.png", one.size_px, difference_of(whole, world, method));
-  write_png(folder + "/" + name + ".flip.png", one.size_px, flip_picture(one.size_px, whole, drawn, options.threads));
   WholeFile top(folder + "/" + name + ".top.svg");
   const std::string svg = top_view(world, view.camera, view.size_px, method, owned);
   top.file().write(svg.data(), svg.size());
   publish({&top});
-  return {name + ".whole.png", name + ".drawn.png", name + ".difference.png", name + ".flip.png", name + ".top.svg"};
+  return {name + ".whole.png", name + ".drawn.png", name + ".difference.png", name + ".top.svg"};
 }
 
 }  // namespace lode::experiments

@@ -16,8 +16,8 @@ namespace lode::experiments {
 [[nodiscard]] std::string top_view(const techniques::World& world, const geometry::Camera& camera, glm::ivec2 size_px,
                                    const PreparedMethod& method, const std::vector<std::uint32_t>& owned_samples);
 
-/// Draws the view by the method and writes FOLDER/NAME.whole.png, .drawn.png, .difference.png, .flip.png (FLIP of
-/// the two) and .top.svg; returns the files' names.
+/// Draws the view by the method and writes FOLDER/NAME.whole.png, .drawn.png, .difference.png and .top.svg; returns
+/// the files' names.
 std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t frame, const techniques::World& world,
                                              PreparedMethod& method, const raster::RenderOptions& options,
                                              const std::string& folder);

@@ -1,6 +1,5 @@
 #include "experiments/report/gnuplot.h"
 
-#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -71,7 +70,6 @@ std::string run_gnuplot(const std::string& script) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, out.ends[1], 1);
   for (const int end : out.ends) posix_spawn_file_actions_addclose(&actions, end);
-  posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);  // its warnings of plots of one value
   std::string program = "gnuplot";
   std::array<char*, 3> arguments = {program.data(), file.path().data(), nullptr};
   pid_t child = 0;
@@ -98,41 +96,18 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// Told apart by most eyes, on white and on black.
-constexpr std::array kColors = {"#3b82f6", "#f59e0b", "#10b981", "#ef4444", "#8b5cf6", "#ec4899", "#14b8a6", "#84cc16"};
-
-std::string axes_of(const Plot& plot) {
-  std::string s = "set terminal svg size " + std::to_string(plot.width) + "," + std::to_string(plot.height) +
-                  " dynamic noenhanced font 'sans-serif,14'\n";
-  s += "set xlabel " + quoted(plot.x_title) + "\nset ylabel " + quoted(plot.y_title) + "\n";
-  s += "set key below\nset grid lc rgb '#888888' lw 0.3\nset border 3\nset tics nomirror\n";
-  const bool points =
-      std::any_of(plot.series.begin(), plot.series.end(), [](const auto& p) { return !p.labels.empty(); });
-  s += points ? "set offsets graph 0.02, graph 0.03, graph 0.04, graph 0.02\n" : "set autoscale xfix\n";
-  if (plot.log_x) s += "set logscale x\nset format x '%g'\n";
-  if (plot.log_y || plot.zero_at > 0.0) s += "set logscale y\nset format y '%g'\n";
-  if (plot.zero_at > 0.0) {
-    double most = 0.0;
-    for (const PlotSeries& series : plot.series) {
-      for (const double y : series.y) most = std::max(most, y);
-    }
-    const std::string zero = number_text(plot.zero_at);
-    s += "set offsets graph 0.02, graph 0.03, 0, 0\n";
-    s += "set yrange [" + number_text(0.3 * plot.zero_at) + ":" +
-         number_text(3.0 * std::max(most, 10.0 * plot.zero_at)) + "]\nset ytics (\"0\" " + zero;
-    for (double tic = 10.0 * plot.zero_at; tic <= 3.0 * most; tic *= 10.0) s += ", " + number_text(tic);
-    s += ")\n";
-  }
-  return s;
-}
-
 std::string script_of(const Plot& plot) {
-  std::string s = axes_of(plot);
+  std::string s = "set terminal svg size " + std::to_string(plot.width) + "," + std::to_string(plot.height) +
+                  " dynamic noenhanced font 'sans-serif,13'\n";
+  s += "set xlabel " + quoted(plot.x_title) + "\nset ylabel " + quoted(plot.y_title) + "\n";
+  s += "set key outside right top\nset grid\nset border 3\nset tics nomirror\nset offsets graph 0.02, graph 0.12, 0, "
+       "0\n";
+  if (plot.log_y) s += "set logscale y\nset format y '%g'\n";
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& series = plot.series[k];
     s += "$d" + std::to_string(k) + " << EOD\n";
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      s += number_text(series.x[i]) + " " + number_text(std::max(series.y[i], plot.zero_at));
+      s += number_text(series.x[i]) + " " + number_text(series.y[i]);
       s += (series.labels.empty() ? std::string() : " " + quoted(series.labels[i])) + "\n";
     }
     s += "EOD\n";
@@ -141,16 +116,13 @@ std::string script_of(const Plot& plot) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& series = plot.series[k];
     const std::string data = "$d" + std::to_string(k), title = " title " + quoted(series.title);
-    const std::string style = std::string(" lc rgb '") + kColors[k % kColors.size()] + "' lw 1.5";
+    const std::string style = " lc " + std::to_string(k + 1) + " lw 2";
     s += k > 0 ? ", " : "";
     if (series.labels.empty()) {
       s += data + " using 1:2 with lines" + style + title;
-    } else {  // labels of neighbours at three heights
-      s += data + " using 1:2 with points pt 7 ps 0.6" + style + title;
-      for (const char* third : {"0", "1", "2"}) {
-        s += ", " + data + " using 1:(int($0)%3==" + third + " ? $2 : 1/0):3 with labels center offset 0," +
-             std::to_string(0.7 + 0.65 * (*third - '0')) + " font ',12' notitle";
-      }
+    } else {
+      s += data + " using 1:2 with points pt 7 ps 0.7" + style + title + ", " + data +
+           " using 1:2:3 with labels left offset 0.7,0.3 font ',10' notitle";
     }
   }
   return s + "\n";

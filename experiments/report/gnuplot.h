@@ -16,8 +16,7 @@ struct PlotSeries {
 
 struct Plot {
   std::string x_title, y_title;
-  bool log_x = false, log_y = false;
-  double zero_at = 0.0;  ///< above 0: y is logarithmic, and what is 0 is drawn here, at a tic of its own
+  bool log_y = false;
   int width = 760, height = 380;
   std::vector<PlotSeries> series;
 };

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kStyle = R"(
   :root { color-scheme: light dark; --line: #8884; --soft: #8881; --good: #1a7f37; --bad: #cf222e; }
   @media (prefers-color-scheme: dark) { :root { --good: #4ac26b; --bad: #ff7b72; } }
-  body { font: 16px/1.5 system-ui, sans-serif; max-width: 80rem; margin: 2rem auto; padding: 0 1rem; }
+  body { font: 16px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 2rem auto; padding: 0 1rem; }
   h1 { font-size: 1.8rem; margin-bottom: 0; }
   h2 { font-size: 1.35rem; margin: 0 0 .5rem; }
   h3 { font-size: 1.05rem; margin: 1.5rem 0 .4rem; }
@@ -18,13 +18,14 @@ constexpr const char* kStyle = R"(
   nav a { margin-right: 1rem; }
   .wide { overflow-x: auto; }
   table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
-  th, td { padding: .2rem .45rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+  th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
   th { font-weight: 600; }
   td.n, th.n { text-align: right; white-space: nowrap; }
   figure { margin: 1rem 0; }
   figcaption { font-size: .85rem; opacity: .8; }
   img, svg { max-width: 100%; height: auto; }
-    .slider { position: relative; line-height: 0; }
+  .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; }
+  .slider { position: relative; line-height: 0; }
   .slider img { width: 100%; display: block; }
   .slider .over { position: absolute; inset: 0; overflow: hidden; clip-path: inset(0 50% 0 0); }
   .slider input { position: absolute; inset: auto 0 0 0; width: 100%; margin: 0; }
@@ -36,15 +37,6 @@ constexpr const char* kStyle = R"(
   .two img, .three img { width: 100%; background: repeating-conic-gradient(#ccc 0 25%, #fff 0 50%) 0 0 / 16px 16px; }
   .pixels img { image-rendering: pixelated; }
   .part { padding: 1rem 0; }
-  .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1rem; }
-  .plots figure, .pictures figure { margin: 0; }
-  .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(19rem, 100%), 1fr)); gap: 1rem; }
-  .pictures svg { max-height: 22rem; width: 100%; }
-  .finding { border-left: 4px solid #3b82f6; padding: .1rem 0 .1rem 1rem; margin: 1rem 0; }
-  .key span { white-space: nowrap; margin-right: .8rem; }
-  .key i { display: inline-block; width: .8em; height: .8em; margin-right: .3em; border: 1px solid #8888; }
-  details > summary { font-weight: 600; }
-  details { border-bottom: 1px solid var(--line); }
   pre { white-space: pre-wrap; overflow-wrap: anywhere; max-height: 26rem; overflow: auto; }
   summary { cursor: pointer; margin: .75rem 0 .5rem; }
   @media (max-width: 50rem) { .two, .three { grid-template-columns: minmax(0, 1fr); } }
