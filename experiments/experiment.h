@@ -39,7 +39,8 @@ struct Experiment {
   std::string summary;  ///< the question, in a line
   std::vector<Parameter> parameters;
   std::function<ExperimentResults(const ExperimentRun&)> run;
-  std::function<std::string(const FoundResults&)> section;  ///< of the report: HTML
+  std::function<std::string(const FoundResults&)> section;        ///< of the report: HTML
+  std::function<std::string(const FoundResults&)> headline = {};  ///< for the top of the report: HTML, or none
 };
 
 [[nodiscard]] std::span<const Experiment> experiment_list();

@@ -1,8 +1,6 @@
 #include "raster/blend.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 #include "raster/byte_product.h"
 
@@ -16,21 +14,12 @@ std::uint8_t stored_byte(float value) {
   return static_cast<std::uint8_t>(double{value} + 0.5);
 }
 
-float stored_float(float value) {
-  if (std::isnan(value)) return std::bit_cast<float>(std::uint32_t{0x7FC00000});
-  return value == 0.0f ? 0.0f : value;
-}
-
 std::uint8_t saturating_sum(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(std::min(a + b, 255)); }
 
 }  // namespace
 
 glm::u8vec4 store_rgba8(const glm::vec4& color) {
   return {stored_byte(color.r), stored_byte(color.g), stored_byte(color.b), stored_byte(color.a)};
-}
-
-glm::vec4 store_rgba32f(const glm::vec4& color) {
-  return {stored_float(color.r), stored_float(color.g), stored_float(color.b), stored_float(color.a)};
 }
 
 glm::u8vec4 blend_rgba8(Blend blend, glm::u8vec4 source, glm::u8vec4 destination) {

@@ -35,6 +35,7 @@ struct PixelPieces {
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> primitives;
   FrameStats stats;  ///< of the whole frame's primitives
+  std::vector<reference::AssemblyPart> parts;  ///< what the pieces point to
 };
 
 /// The frame's draws, without culling if so asked, and without their scissors.
@@ -50,7 +51,7 @@ PixelPieces assemble_at(const Frame& frame, glm::ivec2 size_px, glm::ivec2 pixel
   part.scissor = Rect{pixel, {1, 1}};
   Assembly assembly = reference::assemble(part, size_px, n_workers);
 
-  PixelPieces result{std::move(assembly.pieces), {}, assembly.stats};
+  PixelPieces result{std::move(assembly.pieces), {}, assembly.stats, std::move(assembly.parts)};
   for (Piece& piece : result.pieces) {
     result.primitives.push_back(piece.ids.primitive);
     piece.ids.primitive = frame.draws[piece.draw].primitive_id.value_or(piece.ids.primitive);

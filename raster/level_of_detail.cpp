@@ -1,6 +1,7 @@
 #include "raster/level_of_detail.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -10,6 +11,17 @@ namespace lode::raster {
 namespace {
 
 constexpr int kMaxAnisotropy = 16;
+
+/// How many thresholds are at or below 1 + k/256: of m in [1, 2), at most one more is below m than at the multiple of
+/// 1/256 below it, as they are 1.0054 and more apart from factor to factor.
+constexpr std::array<std::uint8_t, 256> kFirstThreshold = [] {
+  std::array<std::uint8_t, 256> first{};
+  for (std::size_t k = 0, n = 0; k < 256; ++k) {
+    while (n < 128 && kLog2Threshold[n] <= 1.0 + double(k) / 256.0) ++n;
+    first[k] = std::uint8_t(n);
+  }
+  return first;
+}();
 
 }  // namespace
 
@@ -22,8 +34,9 @@ std::int32_t lambda_fx8(double rho_squared) {
   if (biased_exponent == 0) return kMinLambda_fx8;
   if (biased_exponent == 2047) return kMaxLambda_fx8;
   const auto m = std::bit_cast<double>((bits & 0x000F'FFFF'FFFF'FFFF) | 0x3FF0'0000'0000'0000);
-  const double* above = std::upper_bound(std::begin(kLog2Threshold), std::end(kLog2Threshold), m);
-  return 128 * (biased_exponent - 1023) + static_cast<std::int32_t>(above - kLog2Threshold);
+  std::int32_t n = kFirstThreshold[bits >> 44 & 255];
+  if (n < 128 && kLog2Threshold[n] <= m) ++n;
+  return 128 * (biased_exponent - 1023) + n;
 }
 
 double squared_length_px(const glm::dvec2& duv, const glm::ivec2& size_px) {

@@ -56,7 +56,7 @@ struct RenderOptions {
   Pipeline pipeline = Pipeline::fast;
   Target target = Target::best;  ///< bad input if it cannot run here
   Skips skips = {};
-  FrameMemory* memory = nullptr;  ///< null: the frame's own. Kept from frame to frame, clustered draws allocate nothing
+  FrameMemory* memory = nullptr;  ///< null: the frame's own. Kept, it saves frames like those before all allocations
   std::span<DrawStats> per_draw = {};   ///< empty, or one element a draw, overwritten
   bool ids_from_ordered_draws = false;  ///< draws that write no depth leave their ids too (for `draw --print`)
   /// Called once for each finished tile, from any worker; must not throw. n_tiles(…) says how many there are.

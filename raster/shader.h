@@ -11,6 +11,7 @@
 /// A shader is a pure function of what it is given. It runs on many threads at once and must not throw.
 
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -77,12 +78,19 @@ template <class Shade>
   return Shader{run, std::make_shared<const Shade>(std::move(shade))};
 }
 
-/// Lambert: material · (ambient + (1 − ambient) · max(n·l, 0)), or |n·l| when two-sided; alpha is kept.
+/// Lambert: material · (ambient + (1 − ambient) · max(n·l, 0)), or |n·l| when two-sided; alpha is kept. n is the
+/// interpolated normal times `light_from_normal`, made a unit vector; one that is zero or not finite has n·l = 0.
 struct Lambert {
-  glm::vec3 to_light{0.0f, 1.0f, 0.0f};  ///< unit vector towards the light, in the space of the normals
+  glm::vec3 to_light{0.0f, 1.0f, 0.0f};  ///< unit vector towards the light
   float ambient = 0.25f;                 ///< 0…1
   bool two_sided = false;
+  glm::mat3 light_from_normal{1.0f};  ///< takes normals to directions in the light's space, of any length
+  bool turns_backs = false;           ///< the back is lit as if its normals pointed the other way
+  bool front_is_clockwise = false;    ///< a mirrored draw: its back is what the renderer calls its front
 };
 [[nodiscard]] Shader lambert_shader(const Lambert& params);
+
+/// What lambert_shader was given; null for other shaders. The fast pipeline has kernels for these.
+[[nodiscard]] const Lambert* lambert_of(const Shader& shader);
 
 }  // namespace lode::raster

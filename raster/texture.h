@@ -69,8 +69,15 @@ struct Footprint {
 [[nodiscard]] glm::u8vec4 sample_raw(const Texture& texture, const Sampler& sampler, const Footprint& footprint,
                                      std::uint64_t* texels_read = nullptr);
 
+/// The same at a coordinate and a level of detail, 8.8 (level_of_detail.h), by a filter that is not anisotropic; only
+/// trilinear ones look at the level.
+[[nodiscard]] glm::u8vec4 sample_raw(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv,
+                                     std::int32_t lambda_fx8, std::uint64_t* texels_read = nullptr);
+
 /// The filtered value of a linear texture: integer weights times floats, summed in double, rounded once.
 [[nodiscard]] glm::vec4 sample_linear(const Texture& texture, const Sampler& sampler, const Footprint& footprint,
                                       std::uint64_t* texels_read = nullptr);
+[[nodiscard]] glm::vec4 sample_linear(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv,
+                                      std::int32_t lambda_fx8, std::uint64_t* texels_read = nullptr);
 
 }  // namespace lode::raster

@@ -49,12 +49,17 @@ struct LinearFormat {
 
   void add(const Texel& texel, std::int32_t weight) {
     if (weight == 0) return;
-    for (int c = 0; c < 4; ++c) sum[c] += double(weight) * double{texel[c]};
+    const double w = weight;
+    for (int c = 0; c < 4; ++c) sum[c] += w * double{texel[c]};
   }
   [[nodiscard]] Texel mean(std::int32_t n_probes) const {
-    const double total = double(n_probes) * kWeightOfProbe;
     Texel texel;
-    for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] / total);
+    if (n_probes == 1) {  // a power of two: the product is the quotient
+      for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] * (1.0 / kWeightOfProbe));
+    } else {
+      const double total = double(n_probes) * kWeightOfProbe;
+      for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] / total);
+    }
     return store_rgba32f(texel);
   }
 };
@@ -87,25 +92,43 @@ Probes probes_of(const Sampler& sampler, const Footprint& footprint, const glm::
 }
 
 template <class Format>
-typename Format::Texel sample(const Texture& texture, const Sampler& sampler, const Footprint& footprint,
-                              std::uint64_t* texels_read) {
-  const TextureLevel& base = texture.levels.front();
-  if (sampler.filter == Filter::nearest) {
-    if (texels_read != nullptr) *texels_read += 1;
-    return texel_at<Format>(base, sampler, nearest_texel(footprint.uv.x, base.size_px.x, sampler.wrap_u),
-                            nearest_texel(footprint.uv.y, base.size_px.y, sampler.wrap_v));
-  }
-
-  const Probes probes = probes_of(sampler, footprint, base.size_px);
+typename Format::Texel sample(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv,
+                              const Probes& probes, std::uint64_t* texels_read) {
   const auto [level, f] = mip_levels(probes.lambda_fx8, static_cast<std::int32_t>(texture.levels.size()));
   Format sum;
   for (std::int32_t i = 1; i <= probes.n; ++i) {
-    const glm::dvec2 uv = probes.at(footprint.uv, i);
-    add_bilinear(sum, texture.levels[std::size_t(level)], sampler, uv, 256 - f);
-    if (f > 0) add_bilinear(sum, texture.levels[std::size_t(level) + 1], sampler, uv, f);
+    const glm::dvec2 at = probes.at(uv, i);
+    add_bilinear(sum, texture.levels[std::size_t(level)], sampler, at, 256 - f);
+    if (f > 0) add_bilinear(sum, texture.levels[std::size_t(level) + 1], sampler, at, f);
   }
   if (texels_read != nullptr) *texels_read += std::uint64_t(probes.n) * (f > 0 ? 8 : 4);
   return sum.mean(probes.n);
+}
+
+template <class Format>
+typename Format::Texel nearest(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv,
+                               std::uint64_t* texels_read) {
+  const TextureLevel& base = texture.levels.front();
+  if (texels_read != nullptr) *texels_read += 1;
+  return texel_at<Format>(base, sampler, nearest_texel(uv.x, base.size_px.x, sampler.wrap_u),
+                          nearest_texel(uv.y, base.size_px.y, sampler.wrap_v));
+}
+
+template <class Format>
+typename Format::Texel sample(const Texture& texture, const Sampler& sampler, const Footprint& footprint,
+                              std::uint64_t* texels_read) {
+  if (sampler.filter == Filter::nearest) return nearest<Format>(texture, sampler, footprint.uv, texels_read);
+  const Probes probes = probes_of(sampler, footprint, texture.levels.front().size_px);
+  return sample<Format>(texture, sampler, footprint.uv, probes, texels_read);
+}
+
+template <class Format>
+typename Format::Texel sample(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv,
+                              std::int32_t lambda_fx8, std::uint64_t* texels_read) {
+  if (sampler.filter == Filter::nearest) return nearest<Format>(texture, sampler, uv, texels_read);
+  Probes probe;
+  if (sampler.filter == Filter::trilinear) probe.lambda_fx8 = lambda_fx8;
+  return sample<Format>(texture, sampler, uv, probe, texels_read);
 }
 
 }  // namespace
@@ -118,6 +141,16 @@ glm::u8vec4 sample_raw(const Texture& texture, const Sampler& sampler, const Foo
 glm::vec4 sample_linear(const Texture& texture, const Sampler& sampler, const Footprint& footprint,
                         std::uint64_t* texels_read) {
   return sample<LinearFormat>(texture, sampler, footprint, texels_read);
+}
+
+glm::u8vec4 sample_raw(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv, std::int32_t lambda_fx8,
+                       std::uint64_t* texels_read) {
+  return sample<RawFormat>(texture, sampler, uv, lambda_fx8, texels_read);
+}
+
+glm::vec4 sample_linear(const Texture& texture, const Sampler& sampler, const glm::dvec2& uv, std::int32_t lambda_fx8,
+                        std::uint64_t* texels_read) {
+  return sample<LinearFormat>(texture, sampler, uv, lambda_fx8, texels_read);
 }
 
 }  // namespace lode::raster

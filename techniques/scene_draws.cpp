@@ -42,6 +42,13 @@ raster::Sampler sampler(const geometry::TextureUse& use) {
           .wrap_v = wrap(use.wrap_v)};
 }
 
+/// Whether a masked material cuts nothing out: opaque then, and drawn faster.
+bool cuts_nothing_out(const geometry::Material& material, const geometry::Mesh& mesh) {
+  const bool textured = material.color_texture && !mesh.uvs.empty();
+  return !textured && material.color.a == 1.0f && material.alpha_cutoff <= 1.0f &&
+         std::all_of(mesh.colors.begin(), mesh.colors.end(), [](const glm::vec4& c) { return c.a == 1.0f; });
+}
+
 raster::Texture make_texture(const geometry::Picture& picture, bool opaque, raster::Mips mips, ColorSpace space) {
   std::vector<glm::u8vec4> solid;
   if (opaque) {
@@ -109,6 +116,8 @@ raster::Draw SceneDraws::draw(std::uint32_t instance, const glm::dmat4& clip_fro
 std::unique_ptr<const SceneDraws::Surface> SceneDraws::make_surface(const geometry::Mesh& scene_mesh) {
   auto surface = std::make_unique<Surface>();
   if (scene_mesh.material) surface->material = scene_.materials[*scene_mesh.material];
+  AlphaMode& alpha_mode = surface->material.alpha_mode;
+  if (alpha_mode == AlphaMode::mask && cuts_nothing_out(surface->material, scene_mesh)) alpha_mode = AlphaMode::opaque;
   surface->lit =
       params_.shading == Shading::lambert || (params_.shading == Shading::material && !surface->material.unlit);
   if (surface->lit && scene_mesh.normals.empty()) {

@@ -1,31 +1,26 @@
 #include "techniques/scene_shader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace lode::techniques {
 namespace {
 
-/// The cosine between a direction of any length and the light; 0 for one that is zero or not finite. Divided by its
-/// largest component first, so that no square overflows or vanishes.
-float cosine_to_light(const glm::vec3& normal) {
-  const float largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-  if (!(largest > 0.0f) || !std::isfinite(largest)) return 0.0f;
-  const float x = normal.x / largest, y = normal.y / largest, z = normal.z / largest;
-  const float length = std::sqrt((x * x + y * y) + z * z);
-  return ((x / length) * kToLight.x + (y / length) * kToLight.y) + (z / length) * kToLight.z;
+raster::Lambert lambert(const SceneSurface& surface) {
+  return {.to_light = kToLight,
+          .ambient = kAmbient,
+          .light_from_normal = surface.world_from_normal,
+          .turns_backs = surface.double_sided,
+          .front_is_clockwise = surface.front_is_clockwise};
 }
 
-/// How much light the side that is seen gets, 0…1.
-float light_on(const SceneSurface& surface, const glm::vec3& normal, bool front_facing) {
-  const glm::mat3& m = surface.world_from_normal;
-  glm::vec3 n;
-  for (int row = 0; row < 3; ++row) n[row] = (m[0][row] * normal.x + m[1][row] * normal.y) + m[2][row] * normal.z;
-  const bool sees_back = front_facing == surface.front_is_clockwise;
-  const float cosine = surface.double_sided && sees_back ? -cosine_to_light(n) : cosine_to_light(n);
-  return kAmbient + (1.0f - kAmbient) * std::max(cosine, 0.0f);
-}
+/// A surface with what lights it.
+struct Masked {
+  SceneSurface surface;
+  raster::Shader light;
+};
 
 /// A masked sample: opaque, or not there.
 glm::vec4 cut_out(const SceneSurface& surface, const glm::vec4& c) {
@@ -35,22 +30,24 @@ glm::vec4 cut_out(const SceneSurface& surface, const glm::vec4& c) {
 }
 
 void shade(const void* state, const raster::ShadeBatch& batch, glm::vec4* rgba) noexcept {
-  const SceneSurface& surface = *static_cast<const SceneSurface*>(state);
-  for (int i = 0; i < batch.n; ++i) {
-    glm::vec4 color = surface.alpha_cutoff ? cut_out(surface, batch.material[i]) : batch.material[i];
-    if (surface.lit) {
-      const float light = light_on(surface, batch.normal[i], batch.front_facing);
-      color = {color.r * light, color.g * light, color.b * light, color.a};
-    }
-    rgba[i] = color;
+  const Masked& masked = *static_cast<const Masked*>(state);
+  std::array<glm::vec4, raster::kMaxShadeBatch> cut;
+  for (int i = 0; i < batch.n; ++i) cut[std::size_t(i)] = cut_out(masked.surface, batch.material[i]);
+  if (!masked.surface.lit) {
+    std::copy_n(cut.begin(), batch.n, rgba);
+    return;
   }
+  raster::ShadeBatch lit = batch;
+  lit.material = cut.data();
+  masked.light.function(masked.light.state.get(), lit, rgba);
 }
 
 }  // namespace
 
 raster::Shader scene_shader(const SceneSurface& surface) {
-  if (!surface.lit && !surface.alpha_cutoff) return {};
-  return {shade, std::make_shared<const SceneSurface>(surface)};
+  const raster::Shader light = surface.lit ? raster::lambert_shader(lambert(surface)) : raster::Shader{};
+  if (!surface.alpha_cutoff) return light;
+  return {shade, std::make_shared<const Masked>(Masked{surface, light})};
 }
 
 glm::mat3 world_from_normal(const glm::dmat4& world_from_object) {

@@ -41,7 +41,7 @@ constexpr const char* kShownMethod = "convex_culling:mode=safe";
 constexpr std::array kAttributed = {"convex_culling:mode=literal", "convex_culling:mode=safe"};
 
 /// How much of a walk the quick size looks at.
-constexpr int kQuickFrames = 12, kQuickViewpoints = 24, kFullViewpoints = 1000;
+constexpr int kQuickFrames = 10, kQuickViewpoints = 8, kFullViewpoints = 1000;
 constexpr int kQuickRounds = 3, kFullRounds = 5;
 
 /// What a run may choose: -1 is what its size has.
@@ -108,7 +108,7 @@ std::vector<Method> methods() {
 
 /// What a finished case depends on, beside the program itself.
 std::string key_of(const CullingCase& one, const ExperimentRun& run) {
-  std::string key = "convex_culling case 3; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
+  std::string key = "convex_culling case 4; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
                     std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
   for (const Method& method : methods()) key += " " + settings_of(method) + ";";
@@ -146,7 +146,7 @@ class SceneBench {
   FinishedCase run(const CullingCase& one) {
     prepare();
     Progress progress(run_.streams, run_.common, one.scene + ", " + one.path, "frames",
-                      one.cameras.size() * std::uint64_t(2 + one.n_rounds));
+                      one.cameras.size() * std::uint64_t(1 + one.n_rounds));
     std::vector<PreparedMethod*> pointers;
     for (const auto& method : methods_) pointers.push_back(method.get());
     FinishedCase finished;
@@ -228,8 +228,9 @@ ExperimentResults run(const ExperimentRun& run) {
 }  // namespace
 
 Experiment convex_culling_experiment() {
-  return {"convex_culling", "What occlusion culling by convex hulls saves and what it loses, beside its rivals",
-          parameters(), run, convex_culling_section};
+  return {"convex_culling",       "What occlusion culling by convex hulls saves and what it loses, beside its rivals",
+          parameters(),           run,
+          convex_culling_section, convex_culling_headline};
 }
 
 }  // namespace lode::experiments

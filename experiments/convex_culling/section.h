@@ -7,6 +7,9 @@
 
 namespace lode::experiments {
 
+/// A row a method, over all scenes: for the top of the page.
+[[nodiscard]] std::string convex_culling_headline(const FoundResults& found);
+
 [[nodiscard]] std::string convex_culling_section(const FoundResults& found);
 
 }  // namespace lode::experiments

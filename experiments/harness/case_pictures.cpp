@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "experiments/harness/visible_samples.h"
+#include "experiments/metrics/flip/flip.h"
+#include "experiments/metrics/magma.h"
 #include "experiments/whole_file.h"
 #include "geometry/image_file.h"
 #include "raster/render.h"
@@ -15,6 +17,9 @@ namespace lode::experiments {
 namespace {
 
 using techniques::ObjectId;
+
+/// What covers more than this of the scene is ground, which would hide all else from above.
+constexpr double kGroundShare = 0.5;
 
 constexpr glm::vec4 kSky{0.35f, 0.5f, 0.65f, 1.0f};  // linear
 
@@ -30,12 +35,6 @@ const char* class_of(bool in_view, bool drawn, bool owns_samples) {
   if (drawn) return owns_samples ? "seen" : "kept";
   return owns_samples ? "lost" : "culled";
 }
-
-constexpr const char* kTopStyle =
-    "<style>rect{stroke-width:1;vector-effect:non-scaling-stroke}.out{fill:#8882;stroke:#8886}.seen{fill:#2da44e88;"
-    "stroke:#2da44e}.kept{fill:#d4a72c88;stroke:#d4a72c}.culled{fill:#54aeff55;stroke:#54aeff}.lost{fill:#cf222e;"
-    "stroke:"
-    "#cf222e}.view{fill:#8883;stroke:none}</style>\n";
 
 std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, double scale, const char* style,
                       const std::string& name) {
@@ -94,9 +93,9 @@ std::string top_view(const techniques::World& world, const geometry::Camera& cam
   std::vector<bool> in_view(world.objects().size(), false);
   for (const ObjectId id : inside) in_view[id] = true;
 
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + one_digit(size.x * scale) + " " +
-                    one_digit(size.y * scale) + "\">\n" + kTopStyle;
-  // Large things (the ground) lie below small ones.
+  std::string svg =
+      "<svg class=\"top\" viewBox=\"0 0 " + one_digit(size.x * scale) + " " + one_digit(size.y * scale) + "\">\n";
+  // Large things lie below small ones.
   std::vector<ObjectId> order(world.objects().size());
   for (ObjectId id = 0; id < order.size(); ++id) order[id] = id;
   const auto area = [&](ObjectId id) {
@@ -106,7 +105,7 @@ std::string top_view(const techniques::World& world, const geometry::Camera& cam
   std::stable_sort(order.begin(), order.end(), [&](ObjectId a, ObjectId b) { return area(a) > area(b); });
   for (const ObjectId id : order) {
     const techniques::WorldObject& object = world.objects()[id];
-    if (object.bounds.empty()) continue;
+    if (object.bounds.empty() || area(id) > kGroundShare * size.x * size.y) continue;
     const char* style = class_of(in_view[id], method.stage().drawn(id), owned_samples[id] > 0);
     svg += rectangle(object.bounds, origin, scale, style, "");
   }
@@ -119,7 +118,9 @@ std::string top_view(const techniques::World& world, const geometry::Camera& cam
   };
   const std::string eye =
       one_digit((camera.eye.x - origin.x) * scale) + "," + one_digit((camera.eye.z - origin.y) * scale);
-  return svg + "<polygon class=\"view\" points=\"" + eye + " " + corner(-1.0) + " " + corner(1.0) + "\"/>\n</svg>\n";
+  return svg + "<polygon class=\"view\" points=\"" + eye + " " + corner(-1.0) + " " + corner(1.0) +
+         "\"/>\n<circle class=\"eye\" r=\"5\" cx=\"" + eye.substr(0, eye.find(',')) + "\" cy=\"" +
+         eye.substr(eye.find(',') + 1) + "\"/>\n</svg>\n";
 }
 
 std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t frame, const techniques::World& world,
@@ -135,14 +136,25 @@ std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t
     if (ids.draw != raster::kNoId) ++owned[world.object_of(ids.draw)];
   }
   const std::string name = one.scene + "." + one.path + "." + std::to_string(one.frames[frame]);
-  write_png(folder + "/" + name + ".whole.png", one.size_px, display_of(whole));
-  write_png(folder + "/" + name + ".drawn.png", one.size_px, display_of(drawn));
-  write_png(folder + "/" + name + ".difference.png", one.size_px, difference_of(whole, world, method));
-  WholeFile top(folder + "/" + name + ".top.svg");
+  std::vector<std::string> files;
+  const auto write = [&](const char* kind, std::span<const glm::u8vec4> colors) {
+    files.push_back(name + kind);
+    write_png(folder + "/" + files.back(), one.size_px, colors);
+  };
+  const std::vector<glm::u8vec4> reference = display_of(whole), shown = display_of(drawn);
+  write(".whole.png", reference);
+  if (reference != shown) {
+    write(".drawn.png", shown);
+    write(".difference.png", difference_of(whole, world, method));
+    const PicturePair pair{one.size_px, reference, shown};
+    write(".flip.png", magma_picture(flip_map(pair, {.threads = options.threads}).errors));
+  }
+  files.push_back(name + ".top.svg");
+  WholeFile top(folder + "/" + files.back());
   const std::string svg = top_view(world, view.camera, view.size_px, method, owned);
   top.file().write(svg.data(), svg.size());
   publish({&top});
-  return {name + ".whole.png", name + ".drawn.png", name + ".difference.png", name + ".top.svg"};
+  return files;
 }
 
 }  // namespace lode::experiments

@@ -91,6 +91,7 @@ class CaseRunner {
     }
   }
 
+  /// After add_results of the same view, which warms up.
   void add_times(std::size_t i, const std::function<void()>& on_step, CaseResult& result) {
     const techniques::View view{.camera = one_.cameras[i], .size_px = one_.size_px};
     struct Timed {
@@ -98,11 +99,10 @@ class CaseRunner {
       std::map<std::string, std::vector<double>, std::less<>> parts;
     };
     std::vector<Timed> timed(methods_.size());
-    for (int round = 0; round <= one_.n_rounds; ++round) {
+    for (int round = 0; round < one_.n_rounds; ++round) {
       for (std::size_t k = 0; k < methods_.size(); ++k) {
         const std::size_t m = (k + std::size_t(round)) % methods_.size();
         const PreparedMethod::Times t = methods_[m]->draw(view, timed_);
-        if (round == 0) continue;  // warms up
         timed[m].technique.push_back(t.technique_ms), timed[m].render.push_back(t.render_ms);
         timed[m].frame.push_back(t.frame_ms());
         for (const techniques::PartTime& part : methods_[m]->stage().times()) {

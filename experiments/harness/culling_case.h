@@ -23,7 +23,7 @@ struct CullingCase {
   std::vector<geometry::Camera> cameras;  ///< [n]
   glm::ivec2 size_px{640, 480};
   std::uint64_t seed = 1;  ///< of the random places of samples
-  int n_rounds = 3;        ///< timed, after one that warms up; 0: no times
+  int n_rounds = 3;        ///< timed; the results, which are made before, warm up; 0: no times
 };
 
 struct CaseResult {

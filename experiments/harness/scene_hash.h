@@ -7,8 +7,11 @@
 
 namespace lode::experiments {
 
-/// SHA-256 over positions, indices, kinds, instances, objects and alpha modes. Colours and textures are not in it, but
-/// for alpha-tested materials' pictures.
+/// SHA-256 over what decides which object owns a sample: positions, indices, kinds, instances, objects, sides and alpha
+/// modes, and of masked materials all that their alpha depends on.
 [[nodiscard]] std::string hash_of(const geometry::Scene& scene);
+
+/// SHA-256 over that and over what decides its colour: normals, texture coordinates, colours, materials, pictures.
+[[nodiscard]] std::string look_hash_of(const geometry::Scene& scene);
 
 }  // namespace lode::experiments

@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "experiments/error.h"
-#include "experiments/parameter.h"
+#include "experiments/report/plot_script.h"
 
 extern char** environ;
 
@@ -86,48 +86,6 @@ std::string run_gnuplot(const std::string& script) {
   return text;
 }
 
-/// A text in gnuplot's double quotes, with nothing in it that it would take as markup.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + "\"";
-}
-
-std::string script_of(const Plot& plot) {
-  std::string s = "set terminal svg size " + std::to_string(plot.width) + "," + std::to_string(plot.height) +
-                  " dynamic noenhanced font 'sans-serif,13'\n";
-  s += "set xlabel " + quoted(plot.x_title) + "\nset ylabel " + quoted(plot.y_title) + "\n";
-  s += "set key outside right top\nset grid\nset border 3\nset tics nomirror\nset offsets graph 0.02, graph 0.12, 0, "
-       "0\n";
-  if (plot.log_y) s += "set logscale y\nset format y '%g'\n";
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const PlotSeries& series = plot.series[k];
-    s += "$d" + std::to_string(k) + " << EOD\n";
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      s += number_text(series.x[i]) + " " + number_text(series.y[i]);
-      s += (series.labels.empty() ? std::string() : " " + quoted(series.labels[i])) + "\n";
-    }
-    s += "EOD\n";
-  }
-  s += "plot ";
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const PlotSeries& series = plot.series[k];
-    const std::string data = "$d" + std::to_string(k), title = " title " + quoted(series.title);
-    const std::string style = " lc " + std::to_string(k + 1) + " lw 2";
-    s += k > 0 ? ", " : "";
-    if (series.labels.empty()) {
-      s += data + " using 1:2 with lines" + style + title;
-    } else {
-      s += data + " using 1:2 with points pt 7 ps 0.7" + style + title + ", " + data +
-           " using 1:2:3 with labels left offset 0.7,0.3 font ',10' notitle";
-    }
-  }
-  return s + "\n";
-}
-
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
     text.replace(at, from.size(), to);
@@ -137,7 +95,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }  // namespace
 
 std::string svg_of(const Plot& plot) {
-  std::string svg = run_gnuplot(script_of(plot));
+  std::string svg = run_gnuplot(plot_script(plot));
   svg.erase(0, svg.find("<svg"));  // a page has one XML declaration at most
   replace_all(svg, "black", "currentColor");
   replace_all(svg, "rgb(  0,   0,   0)", "currentColor");

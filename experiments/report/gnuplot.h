@@ -10,18 +10,20 @@ namespace lode::experiments {
 /// One series of points: a line, or points with a label each.
 struct PlotSeries {
   std::string title;
-  std::vector<double> x, y;         ///< [n]
-  std::vector<std::string> labels;  ///< empty, or [n]: points are drawn instead of a line
+  std::vector<double> x, y;              ///< [n]
+  std::vector<std::string> labels = {};  ///< empty, or [n]: points are drawn instead of a line
+  bool hollow = false;                   ///< of points
 };
 
 struct Plot {
   std::string x_title, y_title;
-  bool log_y = false;
+  bool log_y = false;  ///< y >= 0; zeros lie on a line of their own below the least decade, marked 0
   int width = 760, height = 380;
   std::vector<PlotSeries> series;
 };
 
-/// An SVG element for a page: no background, text in the page's colour. Deterministic for one version of gnuplot.
+/// An SVG element for a page: no background, text in the page's colour; labels that would lie on another
+/// are moved up. Deterministic for one version of gnuplot.
 /// Throws Error (machine_failed) if gnuplot is not there or fails.
 [[nodiscard]] std::string svg_of(const Plot& plot);
 

@@ -1,5 +1,6 @@
 #include "experiments/report/html.h"
 
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -15,7 +16,7 @@ constexpr const char* kStyle = R"(
   h2 { font-size: 1.35rem; margin: 0 0 .5rem; }
   h3 { font-size: 1.05rem; margin: 1.5rem 0 .4rem; }
   section { border-top: 1px solid var(--line); padding: 1.5rem 0; }
-  nav a { margin-right: 1rem; }
+  nav a { margin-right: 1rem; white-space: nowrap; }
   .wide { overflow-x: auto; }
   table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
   th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
@@ -23,13 +24,24 @@ constexpr const char* kStyle = R"(
   td.n, th.n { text-align: right; white-space: nowrap; }
   figure { margin: 1rem 0; }
   figcaption { font-size: .85rem; opacity: .8; }
-  img, svg { max-width: 100%; height: auto; }
-  .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; }
+  img { max-width: 100%; height: auto; }
+  .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1rem; }
   .slider { position: relative; line-height: 0; }
   .slider img { width: 100%; display: block; }
   .slider .over { position: absolute; inset: 0; overflow: hidden; clip-path: inset(0 50% 0 0); }
   .slider input { position: absolute; inset: auto 0 0 0; width: 100%; margin: 0; }
   pre { font: 13px/1.45 ui-monospace, monospace; background: var(--soft); padding: .75rem; overflow-x: auto; }
+  .plot svg { width: 100%; min-width: 34rem; max-width: 52rem; }
+  .top { width: 100%; max-height: 30rem; background: var(--soft); }
+  .top rect { stroke-width: 1; vector-effect: non-scaling-stroke; }
+  .top .view { fill: #8884; } .top .eye { fill: currentColor; }
+  .seen { --key: #2da44e; } .kept { --key: #e0a000; } .culled { --key: #54aeff; } .lost { --key: #e02030; }
+  .out { --key: #888a; }
+  .top rect { fill: var(--key); stroke: var(--key); fill-opacity: .55; } .top .out { fill-opacity: .2; }
+  .keys i { display: inline-block; width: .8em; height: .8em; background: var(--key); margin: 0 .3em 0 .8em; }
+  .keys { margin: .3rem 0; }
+  .again { font-size: .8rem; opacity: .8; overflow-wrap: anywhere; }
+  section > h2:not(:first-child) { margin-top: 2.5rem; }
   .bad { color: var(--bad); } .good { color: var(--good); }
   .two { display: grid; grid-template-columns: minmax(0, 30rem) minmax(0, 1fr); gap: 1.5rem; align-items: start; }
   .three { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 1rem; }
@@ -67,10 +79,7 @@ std::string cell_text(const Row& row, const Column& column) {
   const Row::Value* value = row.find(column.name);
   if (value == nullptr) return "–";
   if (column.digits < 0 || std::holds_alternative<std::string>(*value)) return escaped(row.text(column.name));
-  char text[400];
-  const auto [end, error] =
-      std::to_chars(text, text + sizeof text, row.number(column.name), std::chars_format::fixed, column.digits);
-  return error == std::errc() ? std::string(text, end) : row.text(column.name);
+  return fixed_text(row.number(column.name), column.digits);
 }
 
 bool is_number(std::span<const Row> rows, const Column& column) {
@@ -103,6 +112,13 @@ std::string escaped(std::string_view text) {
     }
   }
   return result;
+}
+
+std::string fixed_text(double value, int digits) {
+  std::array<char, 400> text;  // the largest double has 309 digits before the point
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits);
+  return error == std::errc() ? std::string(text.data(), end) : std::string("?");
 }
 
 std::string base64(std::string_view bytes) {
@@ -162,13 +178,14 @@ std::string html_slider(const std::string& left_file, const std::string& right_f
          "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
-std::string html_page(std::string_view title, std::string_view introduction, std::span<const PageSection> sections) {
+std::string html_page(std::string_view title, std::string_view introduction, std::string_view headlines,
+                      std::span<const PageSection> sections) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n";
   html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(title) +
           "</title>\n<style>" + kStyle + "</style>\n<h1>" + escaped(title) + "</h1>\n<p>" + std::string(introduction) +
           "</p>\n<nav>";
   for (const PageSection& s : sections) html += "<a href=\"#" + escaped(s.id) + "\">" + escaped(s.title) + "</a>";
-  html += "</nav>\n";
+  html += "</nav>\n" + std::string(headlines);
   for (const PageSection& s : sections) {
     html += "<section id=\"" + escaped(s.id) + "\"><h2>" + escaped(s.title) + "</h2>\n" + s.html + "</section>\n";
   }

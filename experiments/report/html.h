@@ -13,6 +13,9 @@ namespace lode::experiments {
 /// Text as HTML shows it.
 [[nodiscard]] std::string escaped(std::string_view text);
 
+/// So many digits after the point.
+[[nodiscard]] std::string fixed_text(double value, int digits);
+
 /// Of bytes (RFC 4648).
 [[nodiscard]] std::string base64(std::string_view bytes);
 /// And back; what is no digit ends it.
@@ -37,7 +40,8 @@ struct Column {
 struct PageSection {
   std::string id, title, html;
 };
-[[nodiscard]] std::string html_page(std::string_view title, std::string_view introduction,
+/// `headlines`: HTML between the table of contents and the sections.
+[[nodiscard]] std::string html_page(std::string_view title, std::string_view introduction, std::string_view headlines,
                                     std::span<const PageSection> sections);
 
 }  // namespace lode::experiments

@@ -1,6 +1,7 @@
 #include "experiments/report/report_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -22,12 +23,13 @@ struct ReportOptions {
   std::vector<std::string> sections;  ///< TITLE=FILE.html
 };
 
-PageSection section_of(const Experiment& experiment, const std::string& folder) {
-  const FoundResults found = read_results(folder);
-  std::string html = "<p><strong>" + escaped(experiment.summary) + "</strong></p>\n" + experiment.section(found);
+PageSection section_of(const Experiment& experiment, const FoundResults& found) {
+  std::string html = "<p><strong>" + escaped(experiment.summary) + ".</strong></p>\n" + experiment.section(found);
   html += "<p>Size: " + escaped(found.size) + ". Times were taken on: " + escaped(found.machine) +
           ".</p>\n<p>The same figures again:</p>\n<pre>" + escaped(found.command) + "</pre>\n";
-  return {experiment.name, experiment.name, std::move(html)};
+  std::string title = experiment.name;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  return {experiment.name, title, std::move(html)};
 }
 
 /// What another program wrote, as a section.
@@ -44,9 +46,14 @@ PageSection section_of_file(const std::string& word) {
 
 Status report(const ReportOptions& options, const Streams& streams) {
   std::vector<PageSection> sections;
+  std::string headlines;
   for (const Experiment& experiment : experiment_list()) {
     const std::string folder = options.folder + "/" + experiment.name;
-    if (std::filesystem::is_directory(folder)) sections.push_back(section_of(experiment, folder));
+    if (!std::filesystem::is_directory(folder)) continue;
+    const FoundResults found = read_results(folder);
+    sections.push_back(section_of(experiment, found));
+    if (experiment.headline)
+      headlines += experiment.headline(found) + "<p>Taken on: " + escaped(found.machine) + ".</p>\n";
   }
   const std::size_t n_experiments = sections.size();
   for (const std::string& word : options.sections) sections.push_back(section_of_file(word));
@@ -60,7 +67,7 @@ Status report(const ReportOptions& options, const Streams& streams) {
                                      "Rendering techniques, held against the whole picture: how much time they save, "
                                      "and what that costs. Figures that are "
                                      "not times are the same on every machine.",
-                                     sections);
+                                     headlines, sections);
   file.file().write(page.data(), page.size());
   publish({&file});
   streams.out << out << ": " << n_experiments << (n_experiments == 1 ? " experiment\n" : " experiments\n");

@@ -9,10 +9,12 @@
 #include "raster/fast/box-inl.h"
 #include "raster/fast/depth-inl.h"
 #include "raster/fast/flat-inl.h"
+#include "raster/fast/linear_texture-inl.h"
 #include "raster/fast/ordered-inl.h"
 #include "raster/fast/rasterize-inl.h"
 #include "raster/fast/records-inl.h"
 #include "raster/fast/resolve-inl.h"
+#include "raster/fast/surface-inl.h"
 #include "raster/fast/tint-inl.h"
 #include "raster/fast/vertices-inl.h"
 #include "raster/fast/write-inl.h"
@@ -38,7 +40,7 @@ constexpr Target kTarget = Target::scalar;
 extern const Kernels kKernels;
 const Kernels kKernels = {kTarget,   Look,        Transform,     Rasterize,      RasterizeLone,
                           Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile, Clear,
-                          ShadeFlat, StoreBytes,  ShadeTextured, DrawTextured};
+                          ShadeOwners, ShadeSurface, ApplyLinearTexture, StoreFloats, StoreBytes, ShadeTextured, DrawTextured};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

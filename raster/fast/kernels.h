@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "raster/clusters.h"
+#include "raster/fast/surface.h"
 #include "raster/fast/textured.h"
 #include "raster/frame.h"
 #include "raster/reference/primitive.h"
@@ -118,16 +119,15 @@ struct Resident {
   std::uint32_t cluster = 0;
 };
 
-/// Samples of one draw whose colour is its vertices' colours times its own: no texture, no shader.
+/// Samples of one draw that is a surface without a texture, each with an owner of its own.
 struct FlatJob {
+  const Surface* surface = nullptr;
   const Resident* residents = nullptr;
   const WindowVertices128* vertices = nullptr;  ///< [residents]
   const std::uint8_t* corners = nullptr;        ///< of the draw's clusters
   const std::uint32_t* mesh_vertices = nullptr;
-  const float* colors = nullptr;  ///< [4 · mesh vertices], or null
-  std::array<float, 4> color{};   ///< the draw's, if has_color
-  bool has_color = false;
-  float full = 255.0f;                  ///< 255 for bytes, 1 for floats
+  const float* colors = nullptr;        ///< [4 · mesh vertices], if the surface has some
+  const float* normals = nullptr;       ///< [3 · mesh vertices], likewise
   const std::int32_t* x_fx8 = nullptr;  ///< [16] samples, from the tile's corner
   const std::int32_t* y_fx8 = nullptr;
 };
@@ -237,8 +237,16 @@ struct Kernels {
   void (*write_tile)(const WriteJob& job);
   /// n pixels of one value, one behind the other.
   void (*clear)(std::uint32_t* to, std::size_t n, std::uint32_t value);
-  /// Colours of sixteen samples, [4][16]: red, green, blue, alpha; each of the owners is a triangle of the draw.
-  void (*shade_flat)(const FlatJob& job, const std::uint32_t* owners, float* rgba);
+  /// Sixteen samples; each of the owners is a triangle of the draw.
+  void (*shade_owners)(const FlatJob& job, const std::uint32_t* owners, SurfaceSamples& out);
+  /// The sixteen samples of a 4×4 of which the first is given, from the tile's corner; what those become that the
+  /// triangle does not cover is not said.
+  void (*shade_surface)(const Surface& surface, const SurfaceTriangle& triangle, int x_fx8, int y_fx8,
+                        SurfaceSamples& out);
+  /// apply_texture of a linear texture by a bilinear or trilinear filter.
+  std::uint64_t (*apply_linear_texture)(const Surface& surface, std::uint32_t lanes, SurfaceSamples& samples);
+  /// [4·16] Sixteen colours as a float target keeps them (C8).
+  void (*store_floats)(const SurfaceSamples& samples, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).
   void (*store_bytes)(const float* rgba, std::uint32_t* bytes);
   /// Bytes [16] of a 4×4's samples in `lanes` (bit 4·y + x; at least one), each covered by the triangle; what the

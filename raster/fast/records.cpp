@@ -74,7 +74,7 @@ void Records::make_those_of(std::uint32_t slot) {
   job.mesh_vertices = &fast.clusters->vertices[r.first_vertex];
   job.colors = fast.flat_job.colors;
   job.scale = fast.scale;
-  job.scaled = fast.flat_job.has_color;
+  job.scaled = fast.surface.has_color;
   job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
   job.marks = marks, job.wanted = wanted_;
   job.first_record = n_records_, job.record_of = record_of, job.records = &w_.records[n_records_];

@@ -5,6 +5,7 @@
 
 #include "raster/blend.h"
 #include "raster/fast/records.h"
+#include "raster/fast/surface.h"
 #include "raster/fast/textured.h"
 #include "raster/fast/tile.h"
 #include "raster/reference/shade.h"
@@ -34,12 +35,17 @@ class Resolver {
   void run() {
     if (!has_color_ && !has_ids_) return;
     for (Textured& kept : *w_.textured) kept.owner = kNoOwner;
+    for (KeptSurface& kept : *w_.surfaces) kept.owner = kNoOwner;
     clear8_ = store_rgba8(scene_.frame->clear);
     clear32_ = store_rgba32f(scene_.frame->clear);
-    if (by_records_) return resolve_by_records();
-    for (int y = 0; y < size_.y; y += 4) {
-      for (int x = 0; x < size_.x; x += 4) resolve_block(x, y);
+    if (by_records_) {
+      resolve_by_records();
+    } else {
+      for (int y = 0; y < size_.y; y += 4) {
+        for (int x = 0; x < size_.x; x += 4) resolve_block(x, y);
+      }
     }
+    for (Batch& batch : batches_) flush(batch);
   }
 
  private:
@@ -138,16 +144,22 @@ class Resolver {
     return lanes;
   }
 
-  /// All lanes of one owner, by its texture's kernel or as the reference shades them.
+  /// All lanes of one owner: by its texture's kernel, as a surface, at once or later with others, or as the reference
+  /// shades them.
   Lanes shade_owner(int x, int y, std::size_t base, Lanes left) {
     const std::uint32_t* owners = w_.tile->owner + base;
     const std::uint32_t owner = owners[std::countr_zero(left)];
     Lanes lanes = 0;
-    for_each_lane(left, [&](std::uint32_t k) { lanes |= owners[k] == owner ? 1u << k : 0u; });
-    const std::uint32_t draw_index =
-        owner & kPieceBit ? owners_.piece(owner & ~kPieceBit).draw : owners_.fast_draw(owner).draw;
-    const Draw& draw = scene_.frame->draws[draw_index];
+    for (std::uint32_t k = 0; k < 16; ++k) lanes |= std::uint32_t(owners[k] == owner) << k;
+    lanes &= left;
+    const bool is_piece = (owner & kPieceBit) != 0;
+    const FastDraw* fast = is_piece ? nullptr : &owners_.fast_draw(owner);
+    const Draw& draw = scene_.frame->draws[is_piece ? owners_.piece(owner & ~kPieceBit).draw : fast->draw];
     if (can_texture(draw, format_) && shade_textured(owner, x, y, base, lanes)) return lanes;
+    if (is_piece ? is_surface(draw) : fast->is_surface) {
+      if (fast && !draw.texture && std::popcount(lanes) < kManyLanes) return batch_lanes(owner, x, y, base, lanes);
+      if (shade_surface(draw, owner, x, y, base, lanes)) return lanes;
+    }
     std::array<glm::ivec2, 16> pixels;
     std::array<float, 16> depths;
     std::array<glm::vec4, 16> rgba;
@@ -206,47 +218,109 @@ class Resolver {
     }
   }
 
-  /// Sixteen at a time by the exact kernel, where they are one draw's; pieces one by one.
-  void shade_doubtful() {
-    std::array<std::uint32_t, 16> owners, places;
-    std::array<std::int32_t, 16> x, y;
+  // ---- Surfaces ----
+
+  static constexpr int kManyLanes = 5;  ///< from which on a triangle is worth a kernel call of its own
+
+  /// Samples of one draw that wait for others of it.
+  struct Batch {
+    std::uint32_t fast_draw = 0;
     std::size_t n = 0;
-    std::uint32_t batch = 0;  // fast draw
-    const auto flush = [&] {
-      if (n == 0) return;
-      for (std::size_t k = n; k < 16; ++k) owners[k] = owners[0], x[k] = x[0], y[k] = y[0];
-      FlatJob job = scene_.fast[batch].flat_job;
-      job.residents = w_.residents.data();
-      job.vertices = w_.vertices.get();
-      job.x_fx8 = x.data(), job.y_fx8 = y.data();
-      alignas(64) std::array<float, 64> rgba;
+    std::array<std::uint32_t, 16> owners, places;
+    std::array<std::int32_t, 16> x_fx8, y_fx8;
+  };
+
+  Lanes batch_lanes(std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
+    const std::uint32_t fast = w_.residents[owner / kSlotTriangles].fast_draw;
+    Batch& batch = batches_[fast % batches_.size()];
+    if (batch.fast_draw != fast) flush(batch);
+    batch.fast_draw = fast;
+    for_each_lane(lanes, [&](std::uint32_t k) {
+      if (batch.n == 16) flush(batch);
+      batch.owners[batch.n] = owner, batch.places[batch.n] = std::uint32_t(base) + k;
+      batch.x_fx8[batch.n] = (x + int(k & 3)) * 256 + sample_fx8_.x;
+      batch.y_fx8[batch.n] = (y + int(k >> 2)) * 256 + sample_fx8_.y;
+      ++batch.n;
+    });
+    return lanes;
+  }
+
+  void flush(Batch& batch) {
+    if (batch.n == 0) return;
+    for (std::size_t k = batch.n; k < 16; ++k) {
+      batch.owners[k] = batch.owners[0], batch.x_fx8[k] = batch.x_fx8[0], batch.y_fx8[k] = batch.y_fx8[0];
+    }
+    const FastDraw& fast = scene_.fast[batch.fast_draw];
+    FlatJob job = fast.flat_job;
+    job.surface = &fast.surface;
+    job.residents = w_.residents.data(), job.vertices = w_.vertices.get();
+    job.x_fx8 = batch.x_fx8.data(), job.y_fx8 = batch.y_fx8.data();
+    SurfaceSamples samples;
+    scene_.kernels->shade_owners(job, batch.owners.data(), samples);
+    store(samples, [&](auto visit) {
+      for (std::size_t k = 0; k < batch.n; ++k) visit(k, batch.places[k]);
+    });
+    batch.n = 0;
+  }
+
+  /// for_each(visit) calls visit(sample, place in the tile).
+  template <class ForEach>
+  void store(const SurfaceSamples& samples, ForEach for_each) {
+    if (format_ == ColorFormat::rgba8) {
       std::array<std::uint32_t, 16> bytes;
-      scene_.kernels->shade_flat(job, owners.data(), rgba.data());
-      scene_.kernels->store_bytes(rgba.data(), bytes.data());
-      for (std::size_t k = 0; k < n; ++k) std::memcpy(static_cast<void*>(&w_.rgba8[places[k]]), &bytes[k], 4);
-      n = 0;
-    };
+      scene_.kernels->store_bytes(samples.rgba[0], bytes.data());
+      for_each(
+          [&](std::size_t k, std::size_t place) { std::memcpy(static_cast<void*>(&w_.rgba8[place]), &bytes[k], 4); });
+    } else {
+      alignas(64) std::array<glm::vec4, 16> colors;
+      scene_.kernels->store_floats(samples, &colors[0].x);
+      for_each([&](std::size_t k, std::size_t place) { w_.rgba32f[place] = colors[k]; });
+    }
+  }
+
+  static bool by_kernel(const Surface& s) {
+    return s.texture->format == TextureFormat::linear && s.sampler.filter != Filter::nearest;
+  }
+
+  /// False if the owner is not a triangle.
+  bool shade_surface(const Draw& draw, std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
+    KeptSurface& kept = (*w_.surfaces)[owner % w_.surfaces->size()];
+    if (kept.owner != owner) {
+      Piece made;
+      if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
+      const Piece& p = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit) : made;
+      if (!std::holds_alternative<reference::Triangle>(p.shape)) return false;
+      kept = {owner, make_surface(draw, format_), make_surface_triangle(draw, p, box_.begin_px)};
+    }
+    SurfaceSamples samples;
+    scene_.kernels->shade_surface(kept.surface, kept.triangle, x * 256 + sample_fx8_.x, y * 256 + sample_fx8_.y,
+                                  samples);
+    if (kept.surface.texture) {
+      w_.stats.texels_read += by_kernel(kept.surface)
+                                  ? scene_.kernels->apply_linear_texture(kept.surface, lanes, samples)
+                                  : apply_texture(kept.surface, lanes, samples);
+    }
+    store(samples, [&](auto visit) { for_each_lane(lanes, [&](std::uint32_t k) { visit(k, base + k); }); });
+    return true;
+  }
+
+  /// Sixteen at a time by the exact kernel; pieces one by one.
+  void shade_doubtful() {
     for (std::size_t i = 0; i < n_doubtful_; ++i) {
       const Doubtful& d = w_.doubtful[i];
       const std::uint32_t owner = w_.tile->owner[d.place];
-      if (owner & kPieceBit) {
-        const Piece& p = owners_.piece(owner & ~kPieceBit);
-        const glm::ivec2 px = box_.begin_px + glm::ivec2(d.x_px, d.y_px);
-        glm::vec4 rgba;
-        FrameStats counted_already;
-        reference::shade(scene_.frame->draws[p.draw], p, format_,
-                         {{&px, 1}, {&w_.tile->depth[d.place], 1}, sample_fx8_}, &rgba, counted_already);
-        store(d.place, rgba);
+      if (!(owner & kPieceBit)) {
+        static_cast<void>(batch_lanes(owner, d.x_px, d.y_px, d.place, 1));
         continue;
       }
-      const std::uint32_t fast = w_.residents[owner / kSlotTriangles].fast_draw;
-      if (n == 16 || (n > 0 && fast != batch)) flush();
-      batch = fast;
-      owners[n] = owner, places[n] = d.place;
-      x[n] = d.x_px * 256 + sample_fx8_.x, y[n] = d.y_px * 256 + sample_fx8_.y;
-      ++n;
+      const Piece& p = owners_.piece(owner & ~kPieceBit);
+      const glm::ivec2 px = box_.begin_px + glm::ivec2(d.x_px, d.y_px);
+      glm::vec4 rgba;
+      FrameStats counted_already;
+      reference::shade(scene_.frame->draws[p.draw], p, format_, {{&px, 1}, {&w_.tile->depth[d.place], 1}, sample_fx8_},
+                       &rgba, counted_already);
+      store(d.place, rgba);
     }
-    flush();
   }
 
   const Scene& scene_;
@@ -263,6 +337,7 @@ class Resolver {
   glm::u8vec4 clear8_{0};
   glm::vec4 clear32_{0.0f};
   std::size_t n_doubtful_ = 0;
+  std::array<Batch, 4> batches_;
 };
 
 }  // namespace

@@ -71,28 +71,33 @@ void check_indices(const Draw& draw, std::uint32_t draw_index, std::uint32_t pri
   }
 }
 
-/// Sorts the triangles of a cluster that reaches beyond a clip plane: whole ones to the kernels, others to be cut.
-void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport& viewport, std::uint32_t c) {
+constexpr std::uint32_t kNotFinite = 1u << 31;  ///< beside the planes that a vertex is outside of
+
+/// Sorts the triangles of a cluster that reaches beyond a clip plane: whole ones to the kernels, others to be cut, but
+/// for those that one plane cuts off wholly.
+void sort_unclean(const Frame& frame, FastDraw& fast, const reference::Viewport& viewport, std::uint32_t index) {
   const Clusters& all = *fast.clusters;
-  const Cluster& cluster = all.clusters[c];
+  const Cluster& cluster = all.clusters[index];
   const Draw& draw = frame.draws[fast.draw];
   std::array<reference::WindowVertex, kMaxClusterVertices> window;
-  std::array<bool, kMaxClusterVertices> whole;
+  std::array<std::uint32_t, kMaxClusterVertices> outside;
   for (std::size_t i = 0; i < cluster.n_vertices; ++i) {
     const std::size_t at = cluster.first_vertex + i;
     const glm::dvec4 p = reference::clip_position(draw.vertices, all.vertices[at]);
     // The kernels do not know how infinite coordinates are read.
     const bool finite = std::isfinite(all.x[at]) && std::isfinite(all.y[at]) && std::isfinite(all.z[at]);
-    whole[i] = finite && !reference::has_nan(p) && reference::outside_planes(viewport, p) == 0;
-    if (whole[i]) window[i] = reference::window_vertex(viewport, p);
+    outside[i] = finite && !reference::has_nan(p) ? reference::outside_planes(viewport, p) : kNotFinite;
+    if (outside[i] == 0) window[i] = reference::window_vertex(viewport, p);
   }
   UncleanCluster unclean;
-  unclean.cluster = c;
+  unclean.cluster = index;
   unclean.nearest = 0.0f;
   glm::ivec2 low(reference::kGuard_fx8), high(-reference::kGuard_fx8);
   for (std::uint32_t t = 0; t < cluster.n_triangles; ++t) {
     const std::uint8_t* corners = &all.corners[3 * std::size_t(cluster.first_triangle + t)];
-    if (!whole[corners[0]] || !whole[corners[1]] || !whole[corners[2]]) {
+    const std::uint32_t a = outside[corners[0]], b = outside[corners[1]], c = outside[corners[2]];
+    if ((a & b & c & ~kNotFinite) != 0) continue;
+    if ((a | b | c) != 0) {
       check_indices(draw, fast.draw, all.primitives[cluster.first_triangle + t]);
       fast.cut.push_back(all.primitives[cluster.first_triangle + t]);
       continue;
@@ -155,13 +160,13 @@ void set_colors(const Draw& draw, ColorFormat format, FastDraw& fast) {
   fast.bytes = bytes.r | bytes.g << 8 | bytes.b << 16 | std::uint32_t(bytes.a) << 24;
   fast.scale = {1.0f, 1.0f, 1.0f, 1.0f};
   if (draw.color) fast.scale = {color.r / full, color.g / full, color.b / full, color.a / full};
+  fast.is_surface = is_surface(draw);
+  fast.surface = make_surface(draw, format);
   FlatJob& job = fast.flat_job;
   job.corners = fast.clusters->corners.data();
   job.mesh_vertices = fast.clusters->vertices.data();
   job.colors = draw.colors.empty() ? nullptr : &draw.colors[0].x;
-  job.has_color = draw.color.has_value();
-  job.full = full;
-  job.color = {color.r, color.g, color.b, color.a};
+  job.normals = draw.normals.empty() ? nullptr : &draw.normals[0].x;
 }
 
 void add_draw(std::uint32_t d, ColorFormat format, int threads, Scene& scene) {
@@ -239,7 +244,7 @@ void make_scene(const Frame& frame, const Image& image, const RenderOptions& opt
   }
   scene.assembly.pieces.clear();
   if (any_pieces) {
-    scene.assembly = reference::assemble(frame, image.size_px, scene.selections, threads);
+    reference::assemble(frame, image.size_px, scene.selections, threads, scene.assembly);
     scene.stats = scene.assembly.stats;
   }
   for (std::size_t i = 0; i < scene.n_fast; ++i) {  // the pieces are counted already

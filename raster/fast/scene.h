@@ -36,6 +36,8 @@ struct FastDraw {
   bool constant = false;  ///< one colour, `bytes`
   std::uint32_t bytes = 0;
   std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};  ///< its colour, of 1, for records
+  bool is_surface = false;
+  Surface surface;
   FlatJob flat_job;
   std::vector<UncleanCluster> unclean;
   std::vector<std::uint32_t> cut;  ///< primitives that become pieces

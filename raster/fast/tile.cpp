@@ -408,14 +408,16 @@ class TileDrawer {
     WriteJob job = write_job();
     job.written = every_block_ ? nullptr : w_.tile->written;
     write_planes(job, w_.rgba8.data(), w_.tile->depth);
-    const std::size_t first = first_px();
+    if (!image_.rgba32f.empty()) write_plane(w_.rgba32f.data(), image_.rgba32f.data());
+    if (!image_.ids.empty()) write_plane(w_.ids.data(), image_.ids.data());
+  }
+
+  /// Four neighbours of a row lie together in a tile.
+  template <class T>
+  void write_plane(const T* from, T* to) const {
     for (int y = 0; y < size_.y; ++y) {
-      for (int x = 0; x < size_.x; ++x) {
-        const auto from = std::size_t(place_in_tile(x, y)), to = first + std::size_t(y) * job.pitch_px + std::size_t(x);
-        if (!image_.rgba32f.empty()) image_.rgba32f[to] = w_.rgba32f[from];
-        if (!image_.ids.empty()) image_.ids[to] = w_.ids[from];
-      }
-      if (image_.rgba32f.empty() && image_.ids.empty()) break;
+      T* row = to + first_px() + std::size_t(y) * std::size_t(image_.size_px.x);
+      for (int x = 0; x < size_.x; x += 4) std::copy_n(from + place_in_tile(x, y), std::min(4, size_.x - x), row + x);
     }
   }
 
@@ -443,6 +445,7 @@ void Worker::prepare(const Scene& scene, const Image& image) {
     record_of = std::make_unique_for_overwrite<std::uint32_t[]>(kSlots * kSlotTriangles);
     records = std::make_unique_for_overwrite<ColorRecord[]>(kMostRecords);
     textured = std::make_unique<std::array<Textured, 16>>();
+    surfaces = std::make_unique<std::array<KeptSurface, 64>>();
     residents.reserve(kSlots);
     free_slots.reserve(kSlots);
     doubtful = std::make_unique_for_overwrite<Doubtful[]>(kTilePixels);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raster/fast/scene.h"
+#include "raster/fast/surface.h"
 #include "raster/fast/textured.h"
 
 namespace lode::raster::fast {
@@ -45,6 +46,13 @@ struct Textured {
   TexturedTriangle triangle;
 };
 
+/// A triangle made ready for exact shading, and whose it is.
+struct KeptSurface {
+  std::uint32_t owner = kNoOwner;
+  Surface surface;
+  SurfaceTriangle triangle;
+};
+
 /// Memory of a worker, allocated before the first tile, so that no tile can fail. Most of it is never touched.
 struct Worker {
   std::unique_ptr<TileBuffers> tile;
@@ -52,12 +60,13 @@ struct Worker {
   std::vector<Waiting> heap;
   std::vector<Resident> residents;  ///< of the slots in use
   std::vector<std::uint32_t> free_slots;
-  std::unique_ptr<WindowVertices128[]> vertices;       ///< [kSlots]
-  std::unique_ptr<std::uint8_t[]> marks;               ///< [kSlots · 128 + 1] kWon, kOwns, kWide
-  std::unique_ptr<std::uint32_t[]> record_of;          ///< [kSlots · 128] of visible triangles of flat draws
-  std::unique_ptr<ColorRecord[]> records;              ///< [kMostRecords]
-  std::unique_ptr<std::array<Textured, 16>> textured;  ///< kept while their neighbours ask for them
-  std::unique_ptr<Doubtful[]> doubtful;                ///< [kTilePixels]
+  std::unique_ptr<WindowVertices128[]> vertices;          ///< [kSlots]
+  std::unique_ptr<std::uint8_t[]> marks;                  ///< [kSlots · 128 + 1] kWon, kOwns, kWide
+  std::unique_ptr<std::uint32_t[]> record_of;             ///< [kSlots · 128] of visible triangles of flat draws
+  std::unique_ptr<ColorRecord[]> records;                 ///< [kMostRecords]
+  std::unique_ptr<std::array<Textured, 16>> textured;     ///< kept while their neighbours ask for them
+  std::unique_ptr<std::array<KeptSurface, 64>> surfaces;  ///< likewise
+  std::unique_ptr<Doubtful[]> doubtful;                   ///< [kTilePixels]
   std::vector<Ids> ids;
   std::unique_ptr<TileBytes> bytes;
   std::span<glm::u8vec4> rgba8;  ///< in `bytes`; empty if the image has none

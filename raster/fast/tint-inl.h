@@ -47,7 +47,7 @@ HWY_INLINE hn::Vec<HalfFloats> ColorAt(const TexturedTriangle& t, const Weights&
   if (!t.has_vertex_colors) return color;
   const hn::Vec<HalfFloats> corners[3] = {hn::Set(f, t.vertex_colors[0][c]), hn::Set(f, t.vertex_colors[1][c]),
                                           hn::Set(f, t.vertex_colors[2][c])};
-  const auto of_vertices = Interpolated(weights.b, corners);
+  const auto of_vertices = InHull(weights.b, corners);
   return t.has_color ? hn::Div(hn::Mul(color, of_vertices), hn::Set(f, 255.0f)) : of_vertices;
 }
 

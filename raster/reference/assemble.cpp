@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "raster/parallel.h"
@@ -13,11 +12,6 @@ namespace {
 
 /// One primitive's share of work is small; this many go to a worker at a time.
 constexpr std::size_t kPrimitivesPerChunk = 2048;
-
-struct Chunk {
-  std::uint32_t draw;
-  std::size_t first, end;  // primitives
-};
 
 std::uint32_t vertex_index(const Draw& draw, std::size_t k) {
   return draw.indices ? (*draw.indices)[k] : std::uint32_t(k);
@@ -39,7 +33,7 @@ PixelBox bounds_over_samples(const T& shape, const Frame& frame) {
 /// Assembles primitives of one draw, in order, into `out`.
 class DrawAssembler {
  public:
-  DrawAssembler(const Frame& frame, std::uint32_t draw_index, glm::ivec2 target_size_px, Assembly& out)
+  DrawAssembler(const Frame& frame, std::uint32_t draw_index, glm::ivec2 target_size_px, AssemblyPart& out)
       : frame_(frame), draw_(frame.draws[draw_index]), draw_index_(draw_index), out_(out) {
     target_size_px_ = target_size_px;
     viewport_ = make_viewport(frame.viewport.value_or(Rect{{0, 0}, target_size_px}));
@@ -70,10 +64,14 @@ class DrawAssembler {
   static constexpr std::uint32_t kMaxFan = 64;  // pieces of the second triangle of a quad are numbered from here
 
   template <class T>
-  static Shape stored(const T& shape) {
+  Shape stored(const T& shape) {
     return shape;
   }
-  static Shape stored(const Surfel& surfel) { return std::make_unique<const Surfel>(surfel); }
+  Shape stored(const Surfel& surfel) {
+    Surfel& kept = out_.surfels.next();
+    kept = surfel;
+    return &kept;
+  }
 
   template <class T>
   void push(const T& shape, std::uint32_t number, const std::array<std::uint32_t, 3>& vertices, int n_vertices,
@@ -159,7 +157,9 @@ class DrawAssembler {
       return;
     }
     ++out_.stats.primitives_clipped;
-    auto polygon = std::make_shared<ClippedPolygon>();
+    ClippedPolygon* polygon = &out_.polygons.next();
+    polygon->vertices.clear();
+    polygon->weights.clear();
     for (int i = 0; i < cut.n; ++i) {
       polygon->vertices.push_back(window_vertex(viewport_, cut.vertices[std::size_t(i)].position));
       polygon->weights.push_back(cut.vertices[std::size_t(i)].weights);
@@ -283,7 +283,7 @@ class DrawAssembler {
   const Frame& frame_;
   const Draw& draw_;
   std::uint32_t draw_index_;
-  Assembly& out_;
+  AssemblyPart& out_;
   Viewport viewport_;
   glm::ivec2 target_size_px_{0, 0};
   PixelBox limits_;
@@ -322,13 +322,17 @@ bool culled(Cull cull, int sign) {
 }
 
 Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, int n_workers) {
-  return assemble(frame, target_size_px, {}, n_workers);
+  Assembly all;
+  assemble(frame, target_size_px, {}, n_workers, all);
+  return all;
 }
 
-Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections, int n_workers) {
-  Assembly all;
+void assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections, int n_workers,
+              Assembly& all) {
   const auto selection = [&](std::size_t draw) { return selections.empty() ? Selection{} : selections[draw]; };
-  std::vector<Chunk> chunks;
+  all.pieces.clear();
+  all.stats = {};
+  std::size_t n_parts = 0;
   for (std::uint32_t d = 0; d < frame.draws.size(); ++d) {
     const Draw& draw = frame.draws[d];
     ++all.stats.draws_in;
@@ -336,23 +340,30 @@ Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const
     const std::size_t n = selection(d).all ? primitive_count(draw) : selection(d).primitives.size();
     const bool counted = draw.stipple && draw.topology == Topology::line_strip;  // needs all segments before it
     const std::size_t step = counted ? std::max<std::size_t>(n, 1) : kPrimitivesPerChunk;
-    for (std::size_t first = 0; first < n; first += step) chunks.push_back({d, first, std::min(n, first + step)});
+    for (std::size_t first = 0; first < n; first += step) {
+      if (n_parts == all.parts.size()) all.parts.emplace_back();
+      AssemblyPart& part = all.parts[n_parts++];
+      part.draw = d, part.first = first, part.end = std::min(n, first + step);
+    }
   }
-  std::vector<Assembly> parts(chunks.size());
-  parallel_for(chunks.size(), n_workers, [&](std::size_t i, int) {
-    DrawAssembler assembler(frame, chunks[i].draw, target_size_px, parts[i]);
-    const Selection wanted = selection(chunks[i].draw);
-    for (std::size_t k = chunks[i].first; k < chunks[i].end; ++k) assembler.add(wanted.all ? k : wanted.primitives[k]);
+  parallel_for(n_parts, n_workers, [&](std::size_t i, int) {
+    AssemblyPart& part = all.parts[i];
+    part.pieces.clear();
+    part.polygons.clear();
+    part.surfels.clear();
+    part.stats = {};
+    DrawAssembler assembler(frame, part.draw, target_size_px, part);
+    const Selection wanted = selection(part.draw);
+    for (std::size_t k = part.first; k < part.end; ++k) assembler.add(wanted.all ? k : wanted.primitives[k]);
   });
   std::size_t n_pieces = 0;
-  for (const Assembly& part : parts) n_pieces += part.pieces.size();
+  for (std::size_t i = 0; i < n_parts; ++i) n_pieces += all.parts[i].pieces.size();
   all.pieces.reserve(n_pieces);
-  for (Assembly& part : parts) {  // in chunk order
+  for (std::size_t i = 0; i < n_parts; ++i) {  // in their order
+    const AssemblyPart& part = all.parts[i];
     all.stats += part.stats;
-    std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(all.pieces));
-    part.pieces = std::vector<Piece>();
+    all.pieces.insert(all.pieces.end(), part.pieces.begin(), part.pieces.end());
   }
-  return all;
 }
 
 }  // namespace lode::raster::reference

@@ -21,15 +21,15 @@
 
 namespace lode::raster::reference {
 
-/// A surfel is five times as large as the others: it lives on its own, so that triangles stay small.
-using Shape = std::variant<Triangle, Line, Square, Disc, std::unique_ptr<const Surfel>>;
+/// A surfel is five times as large as the others: it lives in the assembly, so that triangles stay small.
+using Shape = std::variant<Triangle, Line, Square, Disc, const Surfel*>;
 
 /// f(shape), whichever it is.
 template <class Function>
 decltype(auto) visit_shape(const Shape& shape, const Function& f) {
   return std::visit(
       [&]<class T>(const T& s) -> decltype(auto) {
-        if constexpr (std::is_same_v<T, std::unique_ptr<const Surfel>>) {
+        if constexpr (std::is_same_v<T, const Surfel*>) {
           return f(*s);
         } else {
           return f(s);
@@ -59,9 +59,36 @@ struct Piece {
   return a.draw < b.draw;
 }
 
+/// Things of one kind that stay where they are, and whose memory is used again after `clear`.
+template <class T>
+class Recycled {
+ public:
+  void clear() { n_ = 0; }
+  /// One more; it may be an old one, with what was in it.
+  [[nodiscard]] T& next() {
+    if (n_ == items_.size()) items_.push_back(std::make_unique<T>());
+    return *items_[n_++];
+  }
+
+ private:
+  std::vector<std::unique_ptr<T>> items_;
+  std::size_t n_ = 0;
+};
+
+/// What one worker assembles at a time: some primitives of one draw.
+struct AssemblyPart {
+  std::uint32_t draw = 0;
+  std::size_t first = 0, end = 0;  ///< of the draw's primitives that are wanted
+  std::vector<Piece> pieces;
+  Recycled<ClippedPolygon> polygons;
+  Recycled<Surfel> surfels;
+  FrameStats stats;
+};
+
 struct Assembly {
   std::vector<Piece> pieces;  ///< by draw, primitive, number
   FrameStats stats;           ///< draws, primitives and pieces
+  std::vector<AssemblyPart> parts;  ///< where the pieces' polygons and surfels are; perhaps more than are in use
 };
 
 /// The sign of det(x, y, w) of three clip-space corners, computed in canonical order: +1 counter-clockwise on screen.
@@ -78,9 +105,10 @@ struct Selection {
   std::span<const std::uint32_t> primitives;
 };
 
-/// The same of some primitives only; `selections` has one for each draw.
-[[nodiscard]] Assembly assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections,
-                                int n_workers);
+/// The same of some primitives only (`selections` has one for each draw, or is empty), in an assembly whose memory is
+/// used again.
+void assemble(const Frame& frame, glm::ivec2 target_size_px, std::span<const Selection> selections, int n_workers,
+              Assembly& all);
 
 /// Pixels of the target that a draw may write.
 [[nodiscard]] PixelBox drawable_pixels(const Frame& frame, const Draw& draw, glm::ivec2 target_size_px);

@@ -26,20 +26,6 @@ double interpolate(const VertexWeights& b, double a0, double a1, double a2) {
   return std::clamp(value, std::min({a0, a1, a2}), std::max({a0, a1, a2}));
 }
 
-/// Texture coordinates of the triangle's own corners: those of a clipped polygon lie between its primitive's.
-std::array<glm::dvec2, 3> corner_uvs(const Triangle& t, const std::array<glm::vec2, 3>& uvs) {
-  std::array<glm::dvec2, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!t.polygon) {
-      corners[i] = glm::dvec2(uvs[i]);
-    } else {
-      const VertexWeights& b = t.polygon->weights[std::size_t(t.polygon_vertex[i])];
-      corners[i] = {interpolate(b, uvs[0].x, uvs[1].x, uvs[2].x), interpolate(b, uvs[0].y, uvs[1].y, uvs[2].y)};
-    }
-  }
-  return corners;
-}
-
 }  // namespace
 
 std::optional<Triangle> make_triangle(const std::array<WindowVertex, 3>& corners, std::array<int, 3>& order) {
@@ -89,6 +75,19 @@ VertexWeights weights_at(const Triangle& t, glm::ivec2 p_fx8) {
              b[2] * weights[std::size_t(t.polygon_vertex[2])][j];
   }
   return own;
+}
+
+std::array<glm::dvec2, 3> corner_uvs(const Triangle& t, const std::array<glm::vec2, 3>& uvs) {
+  std::array<glm::dvec2, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!t.polygon) {
+      corners[i] = glm::dvec2(uvs[i]);
+    } else {
+      const VertexWeights& b = t.polygon->weights[std::size_t(t.polygon_vertex[i])];
+      corners[i] = {interpolate(b, uvs[0].x, uvs[1].x, uvs[2].x), interpolate(b, uvs[0].y, uvs[1].y, uvs[2].y)};
+    }
+  }
+  return corners;
 }
 
 Footprint footprint_at(const Triangle& t, const VertexUvs& uvs, glm::ivec2 p_fx8) {

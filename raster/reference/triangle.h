@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "raster/reference/clip.h"
@@ -30,7 +29,7 @@ struct Triangle {
   std::array<WindowVertex, 3> v;  ///< canonical order: by x, then y
   double sign = 1.0;              ///< +1 or −1: turns edge functions positive inside
   bool affine = true;             ///< the three w are bitwise equal
-  std::shared_ptr<const ClippedPolygon> polygon;  ///< of clipped primitives, otherwise null
+  const ClippedPolygon* polygon = nullptr;        ///< of clipped primitives: the assembly's
   std::array<int, 3> polygon_vertex{0, 1, 2};     ///< v[i]'s place in it
   int piece = 0;
 };
@@ -47,6 +46,8 @@ struct Triangle {
 [[nodiscard]] PixelBox bounds_px(const Triangle& t, glm::ivec2 sample_fx8);
 [[nodiscard]] float depth_at(const Triangle& t, glm::ivec2 p_fx8);
 [[nodiscard]] VertexWeights weights_at(const Triangle& t, glm::ivec2 p_fx8);
+/// Texture coordinates of the triangle's own corners: those of a clipped polygon lie between its primitive's.
+[[nodiscard]] std::array<glm::dvec2, 3> corner_uvs(const Triangle& t, const std::array<glm::vec2, 3>& uvs);
 [[nodiscard]] Footprint footprint_at(const Triangle& t, const VertexUvs& uvs, glm::ivec2 p_fx8);
 
 /// One directed edge a→b of a triangle whose doubled area is positive in the order it is walked.

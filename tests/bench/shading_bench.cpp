@@ -36,13 +36,15 @@ struct ColoredTile {
 };
 
 /// Vertex colours of a tile's samples as C7 has them, in double; items are samples.
-void shade_flat(benchmark::State& state, const Kernels* kernels) {
+void shade_owners(benchmark::State& state, const Kernels* kernels) {
   const ColoredTile colored(kernels);
   const Resident resident;
   std::vector<std::uint32_t> mesh_vertices(kMaxClusterVertices);
   std::iota(mesh_vertices.begin(), mesh_vertices.end(), 0u);
   std::int32_t x_fx8[16], y_fx8[16];
+  const Surface surface{.has_vertex_colors = true, .full = 255.0f};
   FlatJob job;
+  job.surface = &surface;
   job.residents = &resident;
   job.vertices = &colored.cluster.vertices;
   job.corners = colored.cluster.corners.data();
@@ -50,15 +52,15 @@ void shade_flat(benchmark::State& state, const Kernels* kernels) {
   job.colors = colored.colors.data();
   job.x_fx8 = x_fx8;
   job.y_fx8 = y_fx8;
-  alignas(64) float rgba[64];
+  SurfaceSamples samples;
   for (auto _ : state) {
     colored.for_each_quarter([&](const std::uint32_t* owners, int x, int y) {
       for (int k = 0; k < 16; ++k) {
         x_fx8[k] = (x + k % 4) * 256 + 128;
         y_fx8[k] = (y + k / 4) * 256 + 128;
       }
-      kernels->shade_flat(job, owners, rgba);
-      benchmark::DoNotOptimize(rgba);
+      kernels->shade_owners(job, owners, samples);
+      benchmark::DoNotOptimize(samples);
     });
   }
   state.SetItemsProcessed(state.iterations() * kTilePixels);
@@ -118,7 +120,7 @@ void store_bytes(benchmark::State& state, const Kernels* kernels) {
 
 void register_shading() {
   for_each_target([](const Kernels* kernels, const std::string& target) {
-    benchmark::RegisterBenchmark(("ShadeExactly" + target).c_str(), shade_flat, kernels);
+    benchmark::RegisterBenchmark(("ShadeExactly" + target).c_str(), shade_owners, kernels);
     benchmark::RegisterBenchmark(("ShadeByRecords" + target).c_str(), shade_records, kernels);
     benchmark::RegisterBenchmark(("StoreBytes" + target).c_str(), store_bytes, kernels);
     benchmark::RegisterBenchmark(("WriteTile" + target).c_str(), write_tile, kernels);

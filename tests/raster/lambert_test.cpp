@@ -55,6 +55,29 @@ TEST(Lambert, NormalsFarFromUnitLengthKeepTheirDirection) {
   EXPECT_EQ(rgba[3].r, 1.0f / std::sqrt(2.0f));
 }
 
+TEST(Lambert, NormalsAreTurnedIntoTheLightsSpaceAndThoseOfBacksRound) {
+  // x goes to 2y and y to z: (3, 4, 0) becomes (0, 6, 4), of length √52.
+  Lambert lambert{.to_light = {0.0f, 0.0f, 1.0f}, .ambient = 0.0f};
+  lambert.light_from_normal = glm::mat3{{0, 2, 0}, {0, 0, 1}, {0, 0, 0}};
+  EXPECT_EQ(shaded(lambert, glm::vec4(1.0f), {{3, 4, 0}})[0].r, 4.0f / std::sqrt(52.0f));
+  // The batch is a front. It is a back to a mirrored draw, and only then lit from behind.
+  lambert.light_from_normal = glm::mat3(1.0f);
+  for (const bool mirrored : {false, true}) {
+    lambert.turns_backs = true, lambert.front_is_clockwise = mirrored;
+    const auto rgba = shaded(lambert, glm::vec4(1.0f), {{0, 0, 1}, {0, 0, -1}});
+    EXPECT_EQ(rgba[0].r, mirrored ? 0.0f : 1.0f);
+    EXPECT_EQ(rgba[1].r, mirrored ? 1.0f : 0.0f);
+  }
+}
+
+TEST(Lambert, IsFoundAgainInItsShader) {
+  const Shader shader = lambert_shader({.ambient = 0.125f});
+  ASSERT_NE(lambert_of(shader), nullptr);
+  EXPECT_EQ(lambert_of(shader)->ambient, 0.125f);
+  EXPECT_EQ(lambert_of({}), nullptr);
+  EXPECT_EQ(lambert_of(pixel_shader([](const Pixel& p) { return p.material; })), nullptr);
+}
+
 TEST(Lambert, AZeroOrNonFiniteNormalGetsAmbientLightOnly) {
   for (const bool two_sided : {false, true}) {
     const Lambert lambert{.to_light = {0.6f, 0.8f, 0.0f}, .ambient = 0.25f, .two_sided = two_sided};

@@ -187,13 +187,27 @@ class RandomDraw {
       draw.sampler.border = glm::vec4(draw.texture->format == TextureFormat::raw ? 51.0f : 0.25f);
     }
     if (one_in(6)) {
-      draw.shader = lambert_shader({.to_light = {0, 0.6f, 0.8f}, .two_sided = one_in(2)});
+      draw.shader = lambert_shader(lambert());
     } else if (one_in(8)) {
       draw.shader = pixel_shader([](const Pixel& p) {
         return p.material * (p.front_facing ? 1.0f : 0.5f) * p.depth +
                glm::vec4(float(p.primitive % 7), p.uv, p.normal.x);
       });
     }
+  }
+
+  [[nodiscard]] Lambert lambert() {
+    Lambert l{.to_light = {0, 0.6f, 0.8f}};
+    l.two_sided = one_in(2);
+    l.turns_backs = one_in(2);
+    l.front_is_clockwise = one_in(2);
+    if (one_in(2)) return l;
+    static constexpr float kScales[] = {1.0f, 1.0f, 1e30f, 1e-38f, std::numeric_limits<float>::infinity()};
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) l.light_from_normal[column][row] = unit() - 0.5f;
+      l.light_from_normal[column] *= kScales[random_.below(std::size(kScales))];
+    }
+    return l;
   }
 
   void set_state() {

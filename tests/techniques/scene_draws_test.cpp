@@ -57,6 +57,27 @@ TEST(SceneDraws, MaskedSamplesAreOpaqueOrNotThere) {
   EXPECT_EQ(linear.ids[0], (raster::Ids{0, 0}));
 }
 
+TEST(SceneDraws, AMaskThatCutsNothingOutIsDrawnAsOpaque) {
+  geometry::Scene scene;
+  Material material;
+  material.alpha_mode = AlphaMode::mask;
+  material.color = {0.3f, 0.6f, 0.9f, 1.0f};
+  add(scene, unit_square(), material);
+  const auto tests_alpha = [&] {
+    const techniques::SceneDraws draws(scene, kSrgb);
+    return draws.draw(0, glm::dmat4(1.0)).alpha_test.has_value();
+  };
+  EXPECT_FALSE(tests_alpha());
+  EXPECT_EQ(picture_of(scene, kSrgb).rgba32f[0].a, 1.0f);
+  scene.meshes[0].colors.assign(4, {1, 1, 1, 1});
+  EXPECT_FALSE(tests_alpha());
+  scene.meshes[0].colors[2].a = 0.75f;  // above the cutoff here, but not everywhere above any
+  EXPECT_TRUE(tests_alpha());
+  scene.meshes[0].colors.clear();
+  scene.materials[0].alpha_cutoff = 1.5;
+  EXPECT_TRUE(tests_alpha());
+}
+
 TEST(SceneDraws, AlphaEqualToTheCutoffIsKept) {
   geometry::Scene scene;
   Material material;

@@ -268,26 +268,39 @@ constexpr int kMostThreadsWithoutAllocation = 1;
 constexpr int kMostThreadsWithoutAllocation = 2;
 #endif
 
-// None of these clusters reaches a clip plane: what is cut makes pieces, which are allocated.
-TEST(FrameMemory, AllocatesNothingFromTheThirdFrameOnForClustersAlone) {
-  const Ball ball;
+void expect_no_allocation_from_the_third_frame_on(SmallScene& scene) {
+  scene.frame.draws = scene.draws;
   for (int threads = 1; threads <= kMostThreadsWithoutAllocation; ++threads) {
-    SmallScene scene({300, 300});
-    for (const double distance : {3.0, 2.5, 6.0, 12.0}) {
-      const glm::dmat4 camera = perspective_from({0.3, 0.2, distance}, 0.1, 0.1);
-      Draw& draw = scene.object(Topology::triangles, ball.mesh.object, camera);
-      draw.indices = ball.mesh.indices;
-      draw.clusters = &ball.clusters;
-      if (distance == 2.5) draw.cull = Cull::back;
-      if (distance < 5.0) draw.colors = scene.keep(std::vector<glm::vec4>(ball.mesh.object.size(), {200, 10, 90, 255}));
-    }
     FrameMemory memory;
     const RenderOptions options{.threads = threads, .memory = &memory};
-    scene.frame.draws = scene.draws;
     for (int warm_up = 0; warm_up < 2; ++warm_up) raster::render(scene.frame, scene.image, options);
     const Outcome outcome = run_with_failure(-1, false, [&] { raster::render(scene.frame, scene.image, options); });
     EXPECT_EQ(outcome, Outcome::done);
     EXPECT_EQ(failure.n.load(), 0) << threads << " threads";
+  }
+}
+
+TEST(FrameMemory, AllocatesNothingFromTheThirdFrameOnForClusters) {
+  const Ball ball;
+  SmallScene scene({300, 300});
+  for (const double distance : {3.0, 2.5, 6.0, 12.0, 0.9}) {  // from the last the near plane cuts
+    const glm::dmat4 camera = perspective_from({0.3, 0.2, distance}, 0.1, 0.1);
+    Draw& draw = scene.object(Topology::triangles, ball.mesh.object, camera);
+    draw.indices = ball.mesh.indices;
+    draw.clusters = &ball.clusters;
+    if (distance == 2.5) draw.cull = Cull::back;
+    if (distance < 5.0) draw.colors = scene.keep(std::vector<glm::vec4>(ball.mesh.object.size(), {200, 10, 90, 255}));
+  }
+  expect_no_allocation_from_the_third_frame_on(scene);
+  FrameMemory memory;
+  EXPECT_GT(raster::render(scene.frame, scene.image, {.memory = &memory}).primitives_clipped, 0u);
+}
+
+TEST(FrameMemory, AllocatesNothingFromTheThirdFrameOnForPieces) {
+  for (const ColorFormat format : {ColorFormat::rgba8, ColorFormat::rgba32f}) {
+    SmallScene scene({40, 24}, format);
+    add_everything(scene);
+    expect_no_allocation_from_the_third_frame_on(scene);
   }
 }
 

@@ -1,0 +1,121 @@
+#include "experiments/convex_culling/case_figures.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "experiments/convex_culling/method_rows.h"
+#include "experiments/report/gnuplot.h"
+#include "experiments/report/html.h"
+
+namespace lode::experiments {
+namespace {
+
+constexpr std::string_view kWithSkips = " + skips", kWhole = ".whole.png";
+
+/// Few enough to be told apart.
+constexpr const char* kCurves[] = {"frustum_culling", "oracle", "hierarchical_z", "inner_boxes",
+                                   "convex_culling:mode=safe"};
+
+constexpr const char* kLegend =
+    "<p class=\"keys\"><i class=\"seen\"></i>drawn, and seen <i class=\"kept\"></i>drawn, not seen: could have been "
+    "culled <i class=\"culled\"></i>culled rightly <i class=\"lost\"></i>culled, but seen <i class=\"out\"></i>out of "
+    "view</p>";
+
+std::string file_text(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string picture(const std::string& file, const std::string& caption) {
+  return "<figure>" + html_image(file, caption) + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+std::string plot(const Plot& plot, const std::string& caption) {
+  return "<figure class=\"plot\"><div class=\"wide\">" + svg_of(plot) + "</div><figcaption>" + escaped(caption) +
+         "</figcaption></figure>\n";
+}
+
+/// `name`: of its files, without what tells them apart. `frame`: as `lodestone render` takes it.
+std::string pictures_of_view(const std::string& name, const std::string& scene, const std::string& path,
+                             const std::string& frame) {
+  const bool lost = std::filesystem::is_regular_file(name + ".drawn.png");
+  std::string html = "<div class=\"pair\">";
+  if (lost) {
+    html += html_slider(name + std::string(kWhole), name + ".drawn.png",
+                        "View " + frame + ". Left: everything. Right: convex culling, safe.");
+    html += picture(name + ".difference.png", "What was lost, in red");
+    html += picture(name + ".flip.png", "What a person sees of it: FLIP, from black (nothing) over red to white");
+  } else {
+    html += picture(name + std::string(kWhole), "View " + frame + ". Convex culling, safe, loses nothing in any view.");
+  }
+  html += "<figure>" + file_text(name + ".top.svg") + "<figcaption>The same view from above: boxes of objects" +
+          kLegend + "</figcaption></figure></div>\n";
+  if (path == kRandomViewpoints) return html;
+  return html + "<p class=\"again\">Again: <code>" +
+         escaped("lodestone render " + scene + " --camera \"" + path + " " + frame +
+                 "\" --size 640x480 --technique convex_culling:mode=safe --out drawn.png") +
+         "</code></p>\n";
+}
+
+}  // namespace
+
+std::string time_against_error(const std::vector<Row>& summary) {
+  PlotSeries off{.title = "skips off", .x = {}, .y = {}},
+      on{.title = "the renderer skips, too", .x = {}, .y = {}, .labels = {}, .hollow = true},
+      front{.title = "nothing is better in both", .x = {}, .y = {}};
+  std::vector<double> x, y;
+  std::vector<std::string> methods;
+  std::string list;
+  for (const Row& row : summary) {
+    const std::string method = row.text("method");
+    const bool skips = method.ends_with(kWithSkips);
+    const std::string base = skips ? method.substr(0, method.size() - kWithSkips.size()) : method;
+    auto known = std::find(methods.begin(), methods.end(), base);
+    if (known == methods.end()) {
+      known = methods.insert(known, base);
+      list += (list.empty() ? "" : ", ") + std::to_string(methods.size()) + " " + spoken_name(base);
+    }
+    PlotSeries& series = skips ? on : off;
+    x.push_back(row.number("frame_ms_mean")), y.push_back(row.number("false_percent"));
+    series.x.push_back(x.back()), series.y.push_back(y.back());
+    series.labels.push_back(std::to_string(known - methods.begin() + 1));
+  }
+  for (const std::size_t i : pareto_front(x, y)) front.x.push_back(x[i]), front.y.push_back(y[i]);
+  return plot(
+      {.x_title = "ms a frame, mean", .y_title = "falsely culled, % of px", .log_y = true, .series = {off, on, front}},
+      "Run time against error: left is faster, down loses less. " + list + ".");
+}
+
+std::string times_along_the_walk(const std::vector<Row>& times) {
+  Plot curves{.x_title = "frame of the walk", .y_title = "ms a frame", .height = 300, .series = {}};
+  for (const char* method : kCurves) {
+    PlotSeries series{.title = spoken_name(method), .x = {}, .y = {}};
+    for (const Row& row : rows_with(times, "method", method)) {
+      series.x.push_back(row.number("frame")), series.y.push_back(row.number("frame_ms"));
+    }
+    if (!series.x.empty()) curves.series.push_back(std::move(series));
+  }
+  if (curves.series.empty()) return {};
+  return plot(curves, "Frame times along the walk, the renderer's skips off (the paper's Fig. 4)");
+}
+
+std::string case_pictures(const FoundResults& found, const std::string& scene, const std::string& path) {
+  std::vector<std::string> frames;
+  if (!std::filesystem::is_directory(found.images)) return {};
+  const std::string begin = scene + "." + path + ".";
+  for (const auto& entry : std::filesystem::directory_iterator(found.images)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(begin) || !name.ends_with(kWhole)) continue;
+    frames.push_back(name.substr(begin.size(), name.size() - begin.size() - kWhole.size()));
+  }
+  std::sort(frames.begin(), frames.end());
+  std::string html;
+  for (const std::string& frame : frames) {
+    html += pictures_of_view(found.images + "/" + begin + frame, scene, path, frame);
+  }
+  return html;
+}
+
+}  // namespace lode::experiments

@@ -1,0 +1,138 @@
+#include "experiments/report/plot_script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "experiments/parameter.h"
+
+namespace lode::experiments {
+namespace {
+
+/// A text in gnuplot's double quotes, with nothing in it that it would take as markup.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + "\"";
+}
+
+/// Colours that are seen on white and on black.
+constexpr const char* kColors[] = {"#3b78d8", "#e07b00", "#1f9e77", "#d6336c",
+                                   "#9a6ff0", "#00a3bf", "#8f8f00", "#b5651d"};
+
+struct Range {
+  double low = 0.0, high = 1.0;
+  [[nodiscard]] double part(double v) const { return (v - low) / (high - low); }
+};
+
+/// Where a plot's values lie. Logarithms of y where the axis is logarithmic.
+struct Frame {
+  Range x, y;
+  double zero = 0.0;  ///< where y = 0 lies, if the axis is logarithmic
+};
+
+Range widened(Range range, double below, double above) {
+  if (!(range.high > range.low)) range = {range.low - 1.0, range.low + 1.0};
+  const double size = range.high - range.low;
+  return {range.low - below * size, range.high + above * size};
+}
+
+Frame frame_of(const Plot& plot) {
+  const double far = std::numeric_limits<double>::max();
+  Range x{far, -far}, y{far, -far};
+  for (const PlotSeries& series : plot.series) {
+    for (const double v : series.x) x = {std::min(x.low, v), std::max(x.high, v)};
+    for (const double v : series.y) {
+      if (!plot.log_y || v > 0.0) y = {std::min(y.low, v), std::max(y.high, v)};
+    }
+  }
+  if (x.low > x.high) x = {};
+  Frame frame{widened(x, 0.03, 0.03), {}, 0.0};
+  if (!plot.log_y) {
+    frame.y = widened({std::min(y.low, 0.0), std::max(y.high, 0.0)}, 0.0, 0.05);
+    return frame;
+  }
+  if (y.low > y.high) y = {1e-3, 1.0};
+  const double least = std::floor(std::log10(y.low));
+  frame.zero = least - 1.0;
+  frame.y = {least - 1.3, std::max(std::log10(y.high), least + 1.0) + 0.3};
+  return frame;
+}
+
+double placed(const Plot& plot, const Frame& frame, double y) {
+  if (!plot.log_y) return y;
+  return y > 0.0 ? std::log10(y) : frame.zero;
+}
+
+/// Labels above their points, each as high as it must be to lie on no other. Places in px of the plot's inside, about.
+std::string labels_of(const Plot& plot, const Frame& frame) {
+  struct Box {
+    double x, y, half_width;
+  };
+  constexpr double kLine_px = 14.0, kLetter_px = 4.0;
+  std::vector<Box> taken;
+  std::string script;
+  for (const PlotSeries& series : plot.series) {
+    for (std::size_t i = 0; i < series.labels.size(); ++i) {
+      const double y = placed(plot, frame, series.y[i]);
+      Box box{frame.x.part(series.x[i]) * 0.9 * plot.width, frame.y.part(y) * 0.75 * plot.height + kLine_px,
+              kLetter_px * double(series.labels[i].size())};
+      const auto meets = [&](const Box& other) {
+        return std::abs(box.x - other.x) < box.half_width + other.half_width && std::abs(box.y - other.y) < kLine_px;
+      };
+      double lines = 0.8;
+      for (; std::any_of(taken.begin(), taken.end(), meets); lines += 0.8) box.y += 0.8 * kLine_px;
+      taken.push_back(box);
+      script += "set label " + quoted(series.labels[i]) + " at " + number_text(series.x[i]) + "," + number_text(y) +
+                " center offset 0," + number_text(lines) + " font ',11' front\n";
+    }
+  }
+  return script;
+}
+
+/// The decades of a logarithmic axis, and 0.
+std::string decades(const Frame& frame) {
+  std::string script = "set ytics (\"0\" " + number_text(frame.zero);
+  for (double k = frame.zero + 1.0; k <= frame.y.high; k += 1.0) {
+    script += ", " + quoted(number_text(std::stod("1e" + std::to_string(int(k))))) + " " + number_text(k);
+  }
+  return script + ")\nset arrow from graph 0, first " + number_text(frame.zero + 0.5) + " to graph 1, first " +
+         number_text(frame.zero + 0.5) + " nohead lc rgb '#888888' dt 2\n";
+}
+
+}  // namespace
+
+std::string plot_script(const Plot& plot) {
+  const Frame frame = frame_of(plot);
+  const auto range = [](const Range& r) { return "[" + number_text(r.low) + ":" + number_text(r.high) + "]"; };
+  std::string s = "set terminal svg size " + std::to_string(plot.width) + "," + std::to_string(plot.height) +
+                  " dynamic noenhanced font 'sans-serif,13'\n";
+  s += "set xlabel " + quoted(plot.x_title) + "\nset ylabel " + quoted(plot.y_title) + "\n";
+  s += "set key outside top center horizontal Left reverse\nset grid lc rgb '#888888'\nset border 3\n"
+       "set tics nomirror\nset xrange " +
+       range(frame.x) + "\nset yrange " + range(frame.y) + "\n" + labels_of(plot, frame);
+  if (plot.log_y) s += decades(frame);
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const PlotSeries& series = plot.series[k];
+    s += "$d" + std::to_string(k) + " << EOD\n";
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      s += number_text(series.x[i]) + " " + number_text(placed(plot, frame, series.y[i])) + "\n";
+    }
+    s += "EOD\n";
+  }
+  s += "plot ";
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const PlotSeries& series = plot.series[k];
+    const std::string color = " lc rgb '" + std::string(kColors[k % std::size(kColors)]) + "' lw 2";
+    const std::string points = std::string(" with points ps 0.8 pt ") + (series.hollow ? "6" : "7");
+    s += (k > 0 ? ", $d" : "$d") + std::to_string(k) + " using 1:2";
+    s += (series.labels.empty() ? " with lines" : points) + color + " title " + quoted(series.title);
+  }
+  return s + "\n";
+}
+
+}  // namespace lode::experiments

@@ -1,0 +1,86 @@
+#include "raster/fast/surface.h"
+
+#include <bit>
+
+#include "raster/level_of_detail.h"
+#include "raster/reference/shade.h"
+
+namespace lode::raster::fast {
+namespace {
+
+void set_uvs(const Draw& draw, const reference::Piece& piece, SurfaceTriangle& t) {
+  const auto& shape = std::get<reference::Triangle>(piece.shape);
+  const std::array<glm::dvec2, 3> corners = reference::corner_uvs(shape, reference::piece_uvs(draw, piece).value());
+  for (std::size_t i = 0; i < 3; ++i) {
+    t.uvs[0][i] = corners[i].x, t.uvs[1][i] = corners[i].y;
+    t.weight_slopes[0][i] = 256.0 * t.edge_x[i], t.weight_slopes[1][i] = 256.0 * t.edge_y[i];
+    for (auto& slopes : t.weight_slopes) slopes[i] = t.affine ? slopes[i] : slopes[i] / t.w[i];
+  }
+}
+
+}  // namespace
+
+bool is_surface(const Draw& draw) {
+  return (!draw.shader.function || lambert_of(draw.shader)) &&
+         !(draw.texture && (draw.uvs.empty() || draw.sampler.filter == Filter::anisotropic));
+}
+
+Surface make_surface(const Draw& draw, ColorFormat format) {
+  Surface s;
+  s.full = format == ColorFormat::rgba8 ? 255.0f : 1.0f;
+  const glm::vec4 color = draw.color.value_or(glm::vec4(s.full));
+  s.color = {color.r, color.g, color.b, color.a};
+  s.has_color = draw.color.has_value();
+  s.has_vertex_colors = !draw.colors.empty();
+  s.lambert = lambert_of(draw.shader);
+  s.has_normals = !draw.normals.empty();
+  s.texture = draw.texture;
+  s.sampler = draw.sampler;
+  return s;
+}
+
+SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& piece, glm::ivec2 tile_origin_px) {
+  const auto& shape = std::get<reference::Triangle>(piece.shape);
+  SurfaceTriangle t;
+  const std::array<reference::EdgeFunction, 3> edges = reference::edges_of(shape);
+  for (std::size_t i = 0; i < 3; ++i) {
+    t.edge_x[i] = -double(edges[i].dy), t.edge_y[i] = double(edges[i].dx);
+    t.edge_c[i] = double(edges[i].at(tile_origin_px * 256));
+    t.w[i] = shape.v[i].w;
+  }
+  t.affine = shape.affine;
+  t.clipped = shape.polygon != nullptr;
+  t.front_facing = piece.front_facing;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (t.clipped) t.polygon[i] = shape.polygon->weights[std::size_t(shape.polygon_vertex[i])];
+    const std::uint32_t vertex = piece.vertices[i];
+    for (int c = 0; c < 4 && !draw.colors.empty(); ++c) t.colors[std::size_t(c)][i] = draw.colors[vertex][c];
+    for (int c = 0; c < 3 && !draw.normals.empty(); ++c) t.normals[std::size_t(c)][i] = draw.normals[vertex][c];
+  }
+  if (draw.texture) set_uvs(draw, piece, t);
+  return t;
+}
+
+std::uint64_t apply_texture(const Surface& s, std::uint32_t lanes, SurfaceSamples& samples) {
+  std::uint64_t n_read = 0;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto k = std::size_t(std::countr_zero(lanes));
+    const glm::dvec2 uv(samples.u[k], samples.v[k]);
+    const std::int32_t lambda = s.sampler.filter == Filter::trilinear ? lambda_fx8(samples.rho_squared[k]) : 0;
+    glm::vec4 texel;
+    if (s.texture->format == TextureFormat::linear) {
+      texel = sample_linear(*s.texture, s.sampler, uv, lambda, &n_read);
+    } else {
+      texel = glm::vec4(sample_raw(*s.texture, s.sampler, uv, lambda, &n_read));
+      if (s.full == 1.0f) texel /= 255.0f;
+    }
+    for (std::size_t c = 0; c < 4; ++c) samples.rgba[c][k] = samples.rgba[c][k] * texel[int(c)] / s.full;
+  }
+  if (!s.lambert) return n_read;
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t k = 0; k < 16; ++k) samples.rgba[c][k] *= samples.light[k];
+  }
+  return n_read;
+}
+
+}  // namespace lode::raster::fast

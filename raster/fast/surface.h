@@ -1,0 +1,56 @@
+#pragma once
+/// Triangles made ready for exact shading: colours, normals and texture coordinates in C7's order of operations, for
+/// targets whose values leave no room for a shortcut (floats), and for light. Sixteen samples of a 4×4 at a time.
+
+#include <array>
+#include <cstdint>
+
+#include "raster/image.h"
+#include "raster/reference/assemble.h"
+
+namespace lode::raster::fast {
+
+/// What a draw's samples have in common.
+struct Surface {
+  bool has_color = false, has_vertex_colors = false;
+  std::array<float, 4> color{};  ///< the draw's, or white
+  float full = 1.0f;             ///< 255 for bytes
+  const Lambert* lambert = nullptr;
+  bool has_normals = false;
+  const Texture* texture = nullptr;
+  Sampler sampler;
+};
+
+/// A triangle of a surface, relative to a tile. Small i is the canonical vertex (C7); of a clipped primitive the
+/// attributes are its own vertices', and `polygon` weighs them.
+struct SurfaceTriangle {
+  // Exact: whole numbers below 2^53. Edge i at p is edge_x·p.x + edge_y·p.y + edge_c, p in 1/256 px.
+  std::array<double, 3> edge_x{}, edge_y{}, edge_c{}, w{};
+  bool affine = true, clipped = false, front_facing = true;
+  std::array<std::array<double, 3>, 3> polygon{};        ///< [corner][vertex]
+  std::array<std::array<float, 3>, 4> colors{};          ///< [channel][vertex]
+  std::array<std::array<float, 3>, 3> normals{};         ///< [axis][vertex]
+  std::array<std::array<double, 3>, 2> uvs{};            ///< [axis][corner]
+  std::array<std::array<double, 3>, 2> weight_slopes{};  ///< [x, y][corner]: of edge / w, per pixel
+};
+
+/// What the kernels make of sixteen samples.
+struct SurfaceSamples {
+  alignas(64) float rgba[4][16];       ///< lit, if the surface has no texture; else its colour
+  alignas(64) float light[16];         ///< if the surface is lit
+  alignas(64) double u[16], v[16];     ///< if it has a texture
+  alignas(64) double rho_squared[16];  ///< likewise, if the filter is trilinear: of the longer derivative, texels
+};
+
+/// Whether a draw's triangles can be shaded as surfaces: no shader but lambert_shader, no anisotropic filter.
+[[nodiscard]] bool is_surface(const Draw& draw);
+[[nodiscard]] Surface make_surface(const Draw& draw, ColorFormat format);
+
+/// piece: a Triangle, of a draw that is_surface
+[[nodiscard]] SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& piece,
+                                                    glm::ivec2 tile_origin_px);
+
+/// Multiplies the colours of the lanes (a bit each) by their texels, then by their light. Returns how many were read.
+std::uint64_t apply_texture(const Surface& surface, std::uint32_t lanes, SurfaceSamples& samples);
+
+}  // namespace lode::raster::fast
