@@ -85,7 +85,7 @@ std::string labels_of(const Plot& plot, const Frame& frame) {
         return std::abs(box.x - other.x) < box.half_width + other.half_width && std::abs(box.y - other.y) < kLine_px;
       };
       double lines = 0.8;
-      for (; std::any_of(taken.begin(), taken.end(), meets); lines += 0.8) box.y += 0.8 * kLine_px;
+      for (; std::any_of(taken.begin(), taken.end(), meets); lines += 1.0) box.y += kLine_px;
       taken.push_back(box);
       script += "set label " + quoted(series.labels[i]) + " at " + number_text(series.x[i]) + "," + number_text(y) +
                 " center offset 0," + number_text(lines) + " font ',11' front\n";
