@@ -64,7 +64,7 @@ std::string pictures_of_view(const std::string& name, const std::string& scene, 
 std::string time_against_error(const std::vector<Row>& summary) {
   PlotSeries off{.title = "skips off", .x = {}, .y = {}},
       on{.title = "the renderer skips, too", .x = {}, .y = {}, .labels = {}, .hollow = true},
-      front{.title = "nothing is better in both", .x = {}, .y = {}};
+      front{.title = "nothing is better in both", .x = {}, .y = {}, .labels = {}, .ringed = true};
   std::vector<double> x, y;
   std::vector<std::string> methods;
   std::string list;

@@ -67,10 +67,8 @@ const Row* fastest_without_loss(const std::vector<Row>& summary) {
 
 std::string losses_sentence(const Row& row) {
   if (row.number("false_px") == 0.0) return " and loses no pixel.";
-  const std::string causes = causes_of(row);
   return ", and leaves out what can be seen in " + row.text("false_frames") + " of " + row.text("frames") +
-         " views: " + fixed_text(row.number("false_percent"), 4) + " % of the pixels that show anything" +
-         (causes.empty() ? "" : " (" + causes + ")") + ".";
+         " views: " + fixed_text(row.number("false_percent"), 4) + " % of the pixels that show anything.";
 }
 
 }  // namespace

@@ -21,7 +21,9 @@ constexpr const char* kStyle = R"(
   table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
   th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
   th { font-weight: 600; }
-  td.n, th.n { text-align: right; white-space: nowrap; }
+  td.n, th.n { text-align: right; }
+  td.n, td:first-child { white-space: nowrap; }
+  th { vertical-align: bottom; }
   figure { margin: 1rem 0; }
   figcaption { font-size: .85rem; opacity: .8; }
   img { max-width: 100%; height: auto; }

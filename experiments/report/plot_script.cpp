@@ -128,9 +128,10 @@ std::string plot_script(const Plot& plot) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& series = plot.series[k];
     const std::string color = " lc rgb '" + std::string(kColors[k % std::size(kColors)]) + "' lw 2";
+    const std::string lines = series.ringed ? " with linespoints ps 1.7 pt 6" : " with lines";
     const std::string points = std::string(" with points ps 0.8 pt ") + (series.hollow ? "6" : "7");
     s += (k > 0 ? ", $d" : "$d") + std::to_string(k) + " using 1:2";
-    s += (series.labels.empty() ? " with lines" : points) + color + " title " + quoted(series.title);
+    s += (series.labels.empty() ? lines : points) + color + " title " + quoted(series.title);
   }
   return s + "\n";
 }

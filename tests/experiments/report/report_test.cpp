@@ -114,8 +114,9 @@ TEST(MethodRows, SayWhatWasFound) {
   const std::string text = findings(summary, results);
   EXPECT_THAT(text, HasSubstr("In 2 views there are 4 objects on average, of which 2 cannot be seen."));
   EXPECT_THAT(text, HasSubstr("loses no pixel is hierarchical z: 1.50 times as fast."));
+  EXPECT_EQ(with_skips_beside(summary)[1].text("causes"), "2 px by hulls that bulge out of models");
   EXPECT_THAT(text, HasSubstr("leaves out 90.0 % of what cannot be seen, is 2.00 times as fast, and leaves out what "
-                              "can be seen in 1 of 2 views: 0.2000 % of the pixels that show anything (2 px by hulls"));
+                              "can be seen in 1 of 2 views: 0.2000 % of the pixels that show anything."));
 }
 
 TEST(Report, OfNothingIsRefusedInOneLine) {
