@@ -19,9 +19,9 @@ constexpr const char* kCurves[] = {"frustum_culling", "oracle", "hierarchical_z"
                                    "convex_culling:mode=safe"};
 
 constexpr const char* kLegend =
-    "<p class=\"keys\"><i class=\"seen\"></i>drawn, and seen <i class=\"kept\"></i>drawn, not seen: could have been "
-    "culled <i class=\"culled\"></i>culled rightly <i class=\"lost\"></i>culled, but seen <i class=\"out\"></i>out of "
-    "view</p>";
+    "<p class=\"keys\"><span><i class=\"seen\"></i>drawn, and seen</span> <span><i class=\"kept\"></i>drawn in vain"
+    "</span> <span><i class=\"culled\"></i>culled rightly</span> <span><i class=\"lost\"></i>culled, but seen</span> "
+    "<span><i class=\"out\"></i>out of view</span></p>";
 
 std::string file_text(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -46,11 +46,13 @@ std::string pictures_of_view(const std::string& name, const std::string& scene, 
     html += html_slider(name + std::string(kWhole), name + ".drawn.png",
                         "View " + frame + ". Left: everything. Right: convex culling, safe.");
     html += picture(name + ".difference.png", "What was lost, in red");
-    html += picture(name + ".flip.png", "What a person sees of it: FLIP, from black (nothing) over red to white");
+    html += picture(name + ".flip.png",
+                    "What a person sees of it: FLIP, from black (nothing) over purple and orange to yellow (most)");
   } else {
-    html += picture(name + std::string(kWhole), "View " + frame + ". Convex culling, safe, loses nothing in any view.");
+    html += picture(name + std::string(kWhole),
+                    "View " + frame + ". Convex culling, safe, draws the same picture to the byte.");
   }
-  html += "<figure>" + file_text(name + ".top.svg") + "<figcaption>The same view from above: boxes of objects" +
+  html += "<figure>" + file_text(name + ".top.svg") + "<figcaption>The same view from above: objects, by their boxes" +
           kLegend + "</figcaption></figure></div>\n";
   if (path == kRandomViewpoints) return html;
   return html + "<p class=\"again\">Again: <code>" +
