@@ -141,7 +141,7 @@ std::string findings(const std::vector<Row>& summary, const std::vector<Row>& re
                      fixed_text(hidden / n, 0) + " cannot be seen.";
   if (const Row* oracle = row_of(summary, kOracle)) {
     text += " Whoever knew which, and left out just those, would be " + times_as_fast(*oracle) +
-            " as frustum culling: that is what can be had.";
+            " as frustum culling: but for noise, no method that leaves out whole objects can be faster.";
   }
   if (const Row* best = fastest_without_loss(summary)) {
     text += " The fastest method that loses no pixel is " + escaped(spoken_name(best->text("method"))) + ": " +

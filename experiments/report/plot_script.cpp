@@ -59,7 +59,7 @@ Frame frame_of(const Plot& plot) {
   if (y.low > y.high) y = {1e-3, 1.0};
   const double least = std::floor(std::log10(y.low));
   frame.zero = least - 1.0;
-  frame.y = {least - 1.3, std::max(std::log10(y.high), least + 1.0) + 0.3};
+  frame.y = {least - 1.3, std::max(std::log10(y.high), least + 1.0) + 0.7};
   return frame;
 }
 
