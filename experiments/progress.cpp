@@ -82,12 +82,24 @@ void Progress::add(std::uint64_t n) noexcept {
   try {
     const double now_s = clock_();
     if (!on_ || now_s < next_s_) return;
-    next_s_ = now_s + kRedrawn_s;
-    drawn_ = true;
-    clear_terminal_line_on_signals(true);  // before there is anything to clear: a signal may come at any moment
-    err_ << kClearLine << progress_line(what_, unit_, done, total_, now_s - started_s_) << std::flush;
+    draw(done, now_s);
   } catch (...) {  // a line that cannot be shown is not shown
   }
+}
+
+void Progress::show() noexcept {
+  const std::lock_guard<std::mutex> lock(drawing_);
+  try {
+    if (on_) draw(done_, clock_());
+  } catch (...) {
+  }
+}
+
+void Progress::draw(std::uint64_t done, double now_s) {
+  next_s_ = now_s + kRedrawn_s;
+  drawn_ = true;
+  clear_terminal_line_on_signals(true);  // before there is anything to clear: a signal may come at any moment
+  err_ << kClearLine << progress_line(what_, unit_, done, total_, now_s - started_s_) << std::flush;
 }
 
 void Progress::finish() noexcept {

@@ -34,10 +34,14 @@ class Progress {
 
   /// n more units are done. From any thread; never waits for another one and never throws.
   void add(std::uint64_t n) noexcept;
+  /// Draws the line at once: a long step begins, which cannot say how far it is.
+  void show() noexcept;
   /// Clears the line; nothing is shown from here on.
   void finish() noexcept;
 
  private:
+  void draw(std::uint64_t done, double now_s);
+
   std::ostream& err_;
   std::string what_, unit_;
   std::uint64_t total_;

@@ -77,6 +77,9 @@ void approximate_subject(const Subject& subject, const ExperimentRun& run, Exper
   const std::span<const glm::dvec3> axes(all.data(), 3), random(all.data() + 3, all.size() - 3);
   for (const VertexCount count : {VertexCount::distinct, VertexCount::sum}) {
     for (const SplitOrder order : {SplitOrder::better, SplitOrder::least_error}) {
+      // How the paper is to be read matters most where it has figures.
+      const bool main_reading = count == VertexCount::distinct && order == SplitOrder::better;
+      if (!run.full && subject.limits.empty() && !main_reading) continue;
       ApproximationParams params;
       params.limits = subject.limits;
       params.count = count;

@@ -171,9 +171,11 @@ class SceneBench {
     if (world_) return;
     const std::vector<Method> all = methods();
     Progress progress(run_.streams, run_.common, "preparing " + scene_.name, "methods", all.size() + 1);
+    progress.show();
     world_ = std::make_unique<techniques::World>(scene_, techniques::SceneDraws::Params{}, true, run_.common.threads);
     progress.add(1);
     for (const Method& method : all) {
+      progress.show();
       methods_.push_back(std::make_unique<PreparedMethod>(method, *world_, run_.common.render_options()));
       progress.add(1);
     }

@@ -67,10 +67,8 @@ const Row* fastest_without_loss(const std::vector<Row>& summary) {
 
 std::string losses_sentence(const Row& row) {
   if (row.number("false_px") == 0.0) return " and loses no pixel.";
-  const std::string causes = causes_of(row);
   return ", and leaves out what can be seen in " + row.text("false_frames") + " of " + row.text("frames") +
-         " views: " + fixed_text(row.number("false_percent"), 4) + " % of the pixels that show anything" +
-         (causes.empty() ? "" : " (" + causes + ")") + ".";
+         " views: " + fixed_text(row.number("false_percent"), 4) + " % of the pixels that show anything.";
 }
 
 }  // namespace
@@ -143,7 +141,7 @@ std::string findings(const std::vector<Row>& summary, const std::vector<Row>& re
                      fixed_text(hidden / n, 0) + " cannot be seen.";
   if (const Row* oracle = row_of(summary, kOracle)) {
     text += " Whoever knew which, and left out just those, would be " + times_as_fast(*oracle) +
-            " as frustum culling: that is what can be had.";
+            " as frustum culling: but for noise, no method that leaves out whole objects can be faster.";
   }
   if (const Row* best = fastest_without_loss(summary)) {
     text += " The fastest method that loses no pixel is " + escaped(spoken_name(best->text("method"))) + ": " +

@@ -51,8 +51,7 @@ const std::vector<Column> kColumns = {{"name", "method"},
                                       {"false_px", "px"},
                                       {"false_percent", "% of px", 4},
                                       {"false_samples_4x4", "at 4×4"},
-                                      {"false_samples_random", "at random"},
-                                      {"causes", "cause"}};
+                                      {"false_samples_random", "at random"}};
 
 std::string summary_of_scene(const std::string& scene) {
   for (const BuiltinScene& one : builtin_scenes()) {
@@ -78,6 +77,17 @@ std::string what_methods_do(const std::vector<Row>& summary) {
   return html + "</ul></details>\n";
 }
 
+/// What made methods lose, where it is known.
+std::string causes(const std::vector<Row>& rows) {
+  std::string html;
+  for (const Row& row : rows) {
+    if (const std::string text = row.text("causes"); !text.empty()) {
+      html += "<p>Lost by " + escaped(row.text("name")) + ": " + escaped(text) + ".</p>\n";
+    }
+  }
+  return html;
+}
+
 std::string again(const std::string& command) {
   return "<p class=\"again\">Again: <code>" + escaped(command) + "</code></p>\n";
 }
@@ -89,7 +99,8 @@ std::string section_of_walk(const FoundResults& found, const std::string& scene,
   };
   const std::vector<Row> results = of_walk(found.results), times = of_walk(found.times);
   std::string html = "<h3>" + escaped(scene + ", " + path) + "</h3>\n" + findings(summary, results);
-  html += html_table(with_skips_beside(summary), kColumns) + time_against_error(summary);
+  const std::vector<Row> rows = with_skips_beside(summary);
+  html += html_table(rows, kColumns) + causes(rows) + time_against_error(summary);
   if (path != kRandomViewpoints) html += times_along_the_walk(times);
   return html + case_pictures(found, scene, path) + again(found.command + " --set scene=" + scene);
 }
@@ -99,7 +110,8 @@ std::string section_of_walk(const FoundResults& found, const std::string& scene,
 std::string convex_culling_headline(const FoundResults& found) {
   const std::vector<Row> all = over_all_scenes(found);
   return "<h3>Occlusion culling, over " + std::to_string(values_of(found.summary, "scene").size()) + " scenes</h3>\n" +
-         findings(all, found.results) + html_table(with_skips_beside(all), kOverall);
+         findings(all, found.results) + html_table(with_skips_beside(all), kOverall) +
+         "<p>&ldquo;Times faster&rdquo; is against frustum culling; the columns are explained below.</p>\n";
 }
 
 std::string convex_culling_section(const FoundResults& found) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <numeric>
 
 #include "experiments/harness/visible_samples.h"
 #include "experiments/metrics/flip/flip.h"
@@ -36,12 +37,11 @@ const char* class_of(bool in_view, bool drawn, bool owns_samples) {
   return owns_samples ? "lost" : "culled";
 }
 
-std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, double scale, const char* style,
-                      const std::string& name) {
+std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, double scale, const char* style) {
   const auto at = [&](double v, double from) { return one_digit((v - from) * scale); };
   return "<rect class=\"" + std::string(style) + "\" x=\"" + at(box.low.x, origin.x) + "\" y=\"" +
          at(box.low.z, origin.y) + "\" width=\"" + one_digit((box.high.x - box.low.x) * scale) + "\" height=\"" +
-         one_digit((box.high.z - box.low.z) * scale) + "\"><title>" + name + "</title></rect>\n";
+         one_digit((box.high.z - box.low.z) * scale) + "\"/>\n";
 }
 
 std::vector<glm::u8vec4> display_of(const raster::Image& image) {
@@ -95,19 +95,21 @@ std::string top_view(const techniques::World& world, const geometry::Camera& cam
 
   std::string svg =
       "<svg class=\"top\" viewBox=\"0 0 " + one_digit(size.x * scale) + " " + one_digit(size.y * scale) + "\">\n";
-  // Large things lie below small ones.
+  // Large things lie below small ones, and what is lost above all.
   std::vector<ObjectId> order(world.objects().size());
-  for (ObjectId id = 0; id < order.size(); ++id) order[id] = id;
+  std::iota(order.begin(), order.end(), ObjectId{0});
   const auto area = [&](ObjectId id) {
     const glm::dvec3 side = world.objects()[id].bounds.high - world.objects()[id].bounds.low;
     return side.x * side.z;
   };
-  std::stable_sort(order.begin(), order.end(), [&](ObjectId a, ObjectId b) { return area(a) > area(b); });
+  const auto lost = [&](ObjectId id) { return !method.stage().drawn(id) && owned_samples[id] > 0; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](ObjectId a, ObjectId b) { return lost(a) != lost(b) ? lost(b) : area(a) > area(b); });
   for (const ObjectId id : order) {
     const techniques::WorldObject& object = world.objects()[id];
     if (object.bounds.empty() || area(id) > kGroundShare * size.x * size.y) continue;
     const char* style = class_of(in_view[id], method.stage().drawn(id), owned_samples[id] > 0);
-    svg += rectangle(object.bounds, origin, scale, style, "");
+    svg += rectangle(object.bounds, origin, scale, style);
   }
   // The eye, and the sides of the view.
   const glm::dvec2 half = geometry::half_extent(camera, size_px);

@@ -13,6 +13,7 @@ struct PlotSeries {
   std::vector<double> x, y;              ///< [n]
   std::vector<std::string> labels = {};  ///< empty, or [n]: points are drawn instead of a line
   bool hollow = false;                   ///< of points
+  bool ringed = false;                   ///< of a line: its points are ringed, so that one alone is seen, too
 };
 
 struct Plot {

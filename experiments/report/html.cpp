@@ -21,7 +21,9 @@ constexpr const char* kStyle = R"(
   table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
   th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
   th { font-weight: 600; }
-  td.n, th.n { text-align: right; white-space: nowrap; }
+  td.n, th.n { text-align: right; }
+  td.n, td:first-child { white-space: nowrap; }
+  th { vertical-align: bottom; }
   figure { margin: 1rem 0; }
   figcaption { font-size: .85rem; opacity: .8; }
   img { max-width: 100%; height: auto; }
@@ -38,8 +40,10 @@ constexpr const char* kStyle = R"(
   .seen { --key: #2da44e; } .kept { --key: #e0a000; } .culled { --key: #54aeff; } .lost { --key: #e02030; }
   .out { --key: #888a; }
   .top rect { fill: var(--key); stroke: var(--key); fill-opacity: .55; } .top .out { fill-opacity: .2; }
-  .keys i { display: inline-block; width: .8em; height: .8em; background: var(--key); margin: 0 .3em 0 .8em; }
+  .top .lost { fill-opacity: 1; stroke-width: 4; }
+  .keys i { display: inline-block; width: .8em; height: .8em; background: var(--key); margin-right: .3em; }
   .keys { margin: .3rem 0; }
+  .keys span { margin-right: .8em; white-space: nowrap; }
   .again { font-size: .8rem; opacity: .8; overflow-wrap: anywhere; }
   section > h2:not(:first-child) { margin-top: 2.5rem; }
   .bad { color: var(--bad); } .good { color: var(--good); }

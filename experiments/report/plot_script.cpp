@@ -59,7 +59,7 @@ Frame frame_of(const Plot& plot) {
   if (y.low > y.high) y = {1e-3, 1.0};
   const double least = std::floor(std::log10(y.low));
   frame.zero = least - 1.0;
-  frame.y = {least - 1.3, std::max(std::log10(y.high), least + 1.0) + 0.3};
+  frame.y = {least - 1.3, std::max(std::log10(y.high), least + 1.0) + 0.7};
   return frame;
 }
 
@@ -85,7 +85,7 @@ std::string labels_of(const Plot& plot, const Frame& frame) {
         return std::abs(box.x - other.x) < box.half_width + other.half_width && std::abs(box.y - other.y) < kLine_px;
       };
       double lines = 0.8;
-      for (; std::any_of(taken.begin(), taken.end(), meets); lines += 0.8) box.y += 0.8 * kLine_px;
+      for (; std::any_of(taken.begin(), taken.end(), meets); lines += 1.0) box.y += kLine_px;
       taken.push_back(box);
       script += "set label " + quoted(series.labels[i]) + " at " + number_text(series.x[i]) + "," + number_text(y) +
                 " center offset 0," + number_text(lines) + " font ',11' front\n";
@@ -128,9 +128,10 @@ std::string plot_script(const Plot& plot) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& series = plot.series[k];
     const std::string color = " lc rgb '" + std::string(kColors[k % std::size(kColors)]) + "' lw 2";
+    const std::string lines = series.ringed ? " with linespoints ps 1.7 pt 6" : " with lines";
     const std::string points = std::string(" with points ps 0.8 pt ") + (series.hollow ? "6" : "7");
     s += (k > 0 ? ", $d" : "$d") + std::to_string(k) + " using 1:2";
-    s += (series.labels.empty() ? " with lines" : points) + color + " title " + quoted(series.title);
+    s += (series.labels.empty() ? lines : points) + color + " title " + quoted(series.title);
   }
   return s + "\n";
 }

@@ -48,6 +48,14 @@ TEST(Progress, IsShownOnATerminalOnlyAndNotWhenQuiet) {
 
 TEST(Progress, ShortWorkShowsNothing) { EXPECT_EQ(shown(40, 0.01, true, false), ""); }
 
+TEST(Progress, ALongStepThatBeginsIsShownAtOnce) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  Progress progress({in, out, err, true}, CommonOptions{}, "preparing", "methods", 4, [] { return 100.0; });
+  progress.show();
+  EXPECT_THAT(err.str(), EndsWith("preparing   0 %"));
+}
+
 TEST(Progress, TheLineIsClearedInTheEnd) { EXPECT_THAT(shown(10, 1.0, true, false), EndsWith("left\r\033[K")); }
 
 TEST(Progress, IsRedrawnAtMostTenTimesASecond) {

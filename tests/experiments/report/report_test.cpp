@@ -3,10 +3,12 @@
 
 #include <filesystem>
 
+#include "experiments/convex_culling/method_rows.h"
 #include "experiments/error.h"
 #include "experiments/report/found_results.h"
 #include "experiments/report/gnuplot.h"
 #include "experiments/report/html.h"
+#include "experiments/report/plot_script.h"
 #include "tests/experiments/run_program.h"
 #include "tests/geometry/temporary_folder.h"
 
@@ -70,6 +72,51 @@ TEST(Pareto, FrontHasWhatNothingBeatsInBoth) {
   const double x[] = {3, 1, 3, 2, 1, 4}, y[] = {1, 5, 2, 6, 6, 1};
   EXPECT_THAT(pareto_front(x, y), ElementsAre(1u, 0u));
   EXPECT_THAT(pareto_front({}, {}), ElementsAre());
+}
+
+// Of 0.001 and 0.1 the least decade is 10^-3; zeros lie a decade below it, at -4.
+TEST(PlotScript, ALogarithmicAxisHasAPlaceForZero) {
+  const std::string script = plot_script({.x_title = "ms",
+                                          .y_title = "%",
+                                          .log_y = true,
+                                          .series = {{.title = "a", .x = {1, 2, 3}, .y = {0, 0.001, 0.1}}}});
+  EXPECT_THAT(script, HasSubstr("$d0 << EOD\n1 -4\n2 -3\n3 -1\nEOD"));
+  EXPECT_THAT(script, HasSubstr("set ytics (\"0\" -4, \"0.001\" -3, \"0.01\" -2, \"0.1\" -1)"));
+}
+
+// Two points in one place: the second's label is above the first's.
+TEST(PlotScript, LabelsDoNotLieOnEachOther) {
+  const std::string script =
+      plot_script({.x_title = "",
+                   .y_title = "",
+                   .series = {{.title = "a", .x = {1, 1, 9}, .y = {5, 5, 5}, .labels = {"1", "2", "3"}}}});
+  EXPECT_THAT(script, HasSubstr("\"1\" at 1,5 center offset 0,0.8"));
+  EXPECT_THAT(script, HasSubstr("\"2\" at 1,5 center offset 0,1.8"));
+  EXPECT_THAT(script, HasSubstr("\"3\" at 9,5 center offset 0,0.8"));
+}
+
+TEST(MethodRows, AreNamedForPeople) {
+  EXPECT_EQ(spoken_name("masked_occlusion"), "masked occlusion");
+  EXPECT_EQ(spoken_name("convex_culling:mode=safe,slabs=50"), "convex culling, safe, 50");
+}
+
+// Two views: 3 and 1 objects seen, 1 and 3 hidden. The method takes half of the baseline's time and loses 2 of 1000 px.
+TEST(MethodRows, SayWhatWasFound) {
+  std::vector<Row> summary(2), results(2);
+  summary[0].add("method", std::string("hierarchical_z")).add("speedup", 1.5);
+  summary[1].add("method", std::string("convex_culling:mode=safe")).add("speedup", 2.0);
+  summary[1].add("culled_percent", 90.0).add("false_px", std::int64_t(2)).add("false_percent", 0.2);
+  summary[1].add("frames", std::int64_t(2)).add("false_frames", std::int64_t(1)).add("bulge_px", std::int64_t(2));
+  for (std::int64_t k = 0; k < 2; ++k) {
+    results[std::size_t(k)].add("method", std::string("frustum_culling"));
+    results[std::size_t(k)].add("visible", 3 - 2 * k).add("could_be_culled", 1 + 2 * k);
+  }
+  const std::string text = findings(summary, results);
+  EXPECT_THAT(text, HasSubstr("In 2 views there are 4 objects on average, of which 2 cannot be seen."));
+  EXPECT_THAT(text, HasSubstr("loses no pixel is hierarchical z: 1.50 times as fast."));
+  EXPECT_EQ(with_skips_beside(summary)[1].text("causes"), "2 px by hulls that bulge out of models");
+  EXPECT_THAT(text, HasSubstr("leaves out 90.0 % of what cannot be seen, is 2.00 times as fast, and leaves out what "
+                              "can be seen in 1 of 2 views: 0.2000 % of the pixels that show anything."));
 }
 
 TEST(Report, OfNothingIsRefusedInOneLine) {
