@@ -188,7 +188,7 @@ std::string html_page(std::string_view title, std::string_view introduction, std
   html += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(title) +
           "</title>\n<style>" + kStyle + "</style>\n<h1>" + escaped(title) + "</h1>\n<p>" + std::string(introduction) +
           "</p>\n<nav>";
-  for (const PageSection& s : sections) html += "<a href=\"#" + escaped(s.id) + "\">" + escaped(s.title) + "</a>";
+  for (const PageSection& s : sections) html += "<a href=\"#" + escaped(s.id) + "\">" + escaped(s.title) + "</a>\n";
   html += "</nav>\n" + std::string(headlines);
   for (const PageSection& s : sections) {
     html += "<section id=\"" + escaped(s.id) + "\"><h2>" + escaped(s.title) + "</h2>\n" + s.html + "</section>\n";

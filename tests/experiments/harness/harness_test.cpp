@@ -125,7 +125,7 @@ TEST(CullingCase, TellsWhatIsCulledLostAndTaken) {
   const CaseResult result = run_culling_case(one, world, pointers, KeptResults(""), options, [&] { ++n_steps; });
   ASSERT_EQ(result.results.size(), 5u);
   ASSERT_EQ(result.times.size(), 5u);
-  EXPECT_EQ(n_steps, 1 + 1);
+  EXPECT_EQ(n_steps, 1 + 1);  // the results, and one round
   for (const Row& row : result.results) {
     EXPECT_EQ(row.number("visible"), 2.0) << row.text("method");
     EXPECT_EQ(row.number("could_be_culled"), 1.0) << row.text("method");
