@@ -60,6 +60,7 @@ std::vector<Parameter> with_preselection_parameters(std::vector<Parameter> param
   parameters.push_back(of_mode("excess", "of its silhouette that an occluder hides too much at most", 1e9));
   parameters.push_back(of_mode("hull_excess", "likewise of one hull", 1e9));
   parameters.push_back(of_mode("occluder_excess", "likewise of a hull that hides occluders", 1e9));
+  parameters.push_back(of_mode("hull_size", "of a model's silhouette that a hull has at least", 1));
   parameters = with_slab_parameters(std::move(parameters), {});
   for (Parameter& p : parameters) {
     if (p.name == "angle" || p.name == "occluders") p = of_mode(p.name.c_str(), p.meaning.c_str(), p.high, p.whole);
@@ -76,6 +77,7 @@ void set_preselection(const ParameterValues& v, techniques::ConvexCulling::Param
   set("excess", params.largest_excess);
   set("hull_excess", params.largest_hull_excess);
   set("occluder_excess", params.largest_occluder_excess);
+  set("hull_size", params.least_hull_size);
 }
 
 /// To see which rule of a mode does what: "of_mode", or another.

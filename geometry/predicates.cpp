@@ -85,14 +85,16 @@ std::optional<int> sure_sign(const glm::dvec3& p, const glm::dvec3& q, const glm
 }  // namespace
 
 int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  const std::array<double, 6> all = {a.x, a.y, b.x, b.y, c.x, c.y};
-  check_finite(all.data(), all.data() + all.size());
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   const double det = left - right;
   // With u = 2^-53: each factor errs by (1 + u), each product by (1 + u)³, the difference by (1 + u) once more:
-  // |error| < (4u + 7u²…)(|left| + |right|), and 8u of the computed sum covers its own rounding.
+  // |error| < (4u + 7u²…)(|left| + |right|), and 8u of the computed sum covers its own rounding. A coordinate that is
+  // not finite makes the sum so.
   const double magnitude = std::fabs(left) + std::fabs(right);
   if (std::fabs(det) > 0x1p-50 * magnitude && magnitude > kSmallestSafe && std::isfinite(magnitude)) return sign(det);
+  const std::array<double, 6> all = {a.x, a.y, b.x, b.y, c.x, c.y};
+  check_finite(all.data(), all.data() + all.size());
+  if ((b.x == a.x || c.y == a.y) && (b.y == a.y || c.x == a.x)) return 0;  // both products are
   return exact_orientation(a, b, c);
 }
 

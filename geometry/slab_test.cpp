@@ -21,6 +21,12 @@ void check(const SlabParams& params) {
   }
 }
 
+/// As std::floor, which is a call; for |x| up to the largest coordinate times 2^16.
+double rounded_down(double x) {
+  const auto whole = static_cast<std::int64_t>(x);
+  return double(whole) - (double(whole) > x ? 1.0 : 0.0);
+}
+
 /// Where the screen's columns end, and where its lines are. Any ascending numbers would do, as long as occluders and
 /// occludees see the same.
 class Slabs {
@@ -32,7 +38,7 @@ class Slabs {
   [[nodiscard]] double boundary(int i) const { return i == n_ ? width_ : double(i) * width_ / double(n_); }
 
   /// The line nearest to x; of two the right one. Off the screen, lines go on.
-  [[nodiscard]] double nearest_line(double x) const { return std::floor(x / width_ * double(n_)); }
+  [[nodiscard]] double nearest_line(double x) const { return rounded_down(x / width_ * double(n_)); }
   /// The first line on the screen at x or right of it, n if there is none.
   [[nodiscard]] int first_line_from(double x) const {
     int i = int(std::clamp(nearest_line(x), 0.0, double(n_)));
@@ -74,7 +80,8 @@ SlabInterval on_line(const SlabInterval& y, const SlabParams& params) {
   const int n_bins = params.y_bins == 0 && params.mode == SlabMode::paper ? kPaperBins : params.y_bins;
   const SlabInterval cut = {std::max(y.low, 0.0), std::min(y.high, params.size_px.y)};
   if (n_bins == 0 || cut.low > cut.high) return cut;
-  const auto bin = [&](double v) { return std::min(std::floor(to_bins(v, params, n_bins)), double(n_bins - 1)); };
+  // Both ends are on the screen and not negative: a cast rounds them down.
+  const auto bin = [&](double v) { return double(std::min(int(to_bins(v, params, n_bins)), n_bins - 1)); };
   return {bin(cut.low), bin(cut.high) + 1.0};
 }
 

@@ -76,8 +76,9 @@ OccluderParts parts_of(const ConvexApproximation& approximation, std::span<const
     auto& hulls = parts.levels.emplace_back();
     auto& hides_occluders = parts.hides_occluders.emplace_back();
     for (std::size_t i = 0; i < approximation.levels[l].hulls.size(); ++i) {
-      const double excess = excesses.empty() || excesses[l].hulls.empty() ? 0.0 : excesses[l].hulls[i];
-      if (excess > params.largest_hull_excess) continue;
+      const bool known = !excesses.empty() && !excesses[l].hulls.empty();
+      const double excess = known ? excesses[l].hulls[i] : 0.0;
+      if (excess > params.largest_hull_excess || (known && excesses[l].sizes[i] < params.least_hull_size)) continue;
       hulls.push_back(approximation.levels[l].hulls[i]);
       hides_occluders.push_back(excess <= params.largest_occluder_excess);
     }
@@ -123,7 +124,7 @@ ConvexCulling::Params ConvexCulling::params_for(Mode mode) {
   params.mode = mode;
   params.slabs.depth_rule = params.slabs.test_occluders = mode != Mode::literal;
   params.slabs.whole_occluders_only = mode == Mode::conservative;
-  if (mode == Mode::safe) params.largest_occluder_excess = 0.05;
+  if (mode == Mode::safe) params.largest_occluder_excess = 0.05, params.least_hull_size = 0.01;
   if (mode == Mode::conservative) {  // nothing is lost by looking at more
     params.slabs.angle_limit_deg = 180.0;
     params.slabs.occluders.most = 32;
@@ -151,8 +152,9 @@ void ConvexCulling::prepare(Stage& stage) {
                                             [&] { return inner_levels(world, *found, stage.threads()); });
   }
   std::shared_ptr<const Excesses> excesses;
-  if (params_.mode != Mode::conservative &&
-      std::min({params_.largest_excess, params_.largest_hull_excess, params_.largest_occluder_excess}) < kAny) {
+  const double least_limit =
+      std::min({params_.largest_excess, params_.largest_hull_excess, params_.largest_occluder_excess});
+  if (params_.mode != Mode::conservative && (least_limit < kAny || params_.least_hull_size > 0.0)) {
     const LevelRule rule = params_.slabs.levels;
     excesses = world.once<Excesses>(key_of(params_) + "; excess " + std::to_string(int(rule)),
                                     [&] { return excesses_of(world, *found, rule, stage.threads()); });

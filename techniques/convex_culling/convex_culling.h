@@ -35,11 +35,15 @@ class ConvexCulling {
     double largest_hull_excess = kAny;
     /// And those that do by more than this share hide no other occluder: it is large, and much is lost with it. Ours.
     double largest_occluder_excess = kAny;
+    /// Hulls smaller than this share of the model's silhouette, each at its largest, are left out: they hide little and
+    /// cost as much as others. Ours.
+    double least_hull_size = 0.0;
     SlabCullingParams slabs;  ///< as params_for() has them for the mode
   };
   /// The mode's rules: literal has no depth rule, draws every occluder and moves corners to slabs; safe has the depth
-  /// rule, and hides an occluder only by hulls of an excess of at most 5 %; conservative has the depth rule, columns,
-  /// no occluder that the near plane may cut, and, since nothing is lost by it, no angle limit and 32 occluders.
+  /// rule, hides an occluder only by hulls of an excess of at most 5 %, and leaves out hulls below 1 %; conservative
+  /// has the depth rule, columns, no occluder that the near plane may cut, and, since nothing is lost by it, no angle
+  /// limit and 32 occluders.
   [[nodiscard]] static Params params_for(Mode mode);
 
   ConvexCulling() : ConvexCulling(params_for(Mode::safe)) {}

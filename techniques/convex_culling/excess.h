@@ -14,6 +14,7 @@ namespace lode::techniques::convex_culling {
 struct Excess {
   double model = 0.0;         ///< of all hulls together, over the model's silhouette
   std::vector<double> hulls;  ///< [hulls] of each alone, over its own largest silhouette
+  std::vector<double> sizes;  ///< [hulls] the largest silhouette of each, over the model's
 };
 
 /// On 96 lines for each direction.

@@ -88,11 +88,11 @@ void hidden(benchmark::State& state, const Kernels* kernels) {
   const auto tile = std::make_unique<TileBuffers>();
   fill(*tile, 0.25f);
   for (auto _ : state) {
-    std::fill_n(tile->stale, std::size(tile->stale), std::uint8_t(1));
+    std::fill_n(tile->written, std::size(tile->written), std::uint8_t(kStale | kTouched));
     std::fill_n(tile->block_min, std::size(tile->block_min), -1.0f);
     benchmark::DoNotOptimize(kernels->hidden(*tile, {{0, 0}, {kTile_px, kTile_px}}, 0.2f));
   }
-  state.SetItemsProcessed(state.iterations() * std::int64_t(std::size(tile->stale)));
+  state.SetItemsProcessed(state.iterations() * std::int64_t(std::size(tile->written)));
 }
 
 /// Items are triangles.

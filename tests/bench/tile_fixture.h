@@ -24,6 +24,7 @@ void for_each_target(Add add) {
 struct TileCluster {
   WindowVertices128 vertices;
   std::vector<std::uint8_t> corners;  ///< and a byte to spare: kernels read four at a time
+  mutable std::vector<std::uint8_t> marks = std::vector<std::uint8_t>(kMaxClusterTriangles);
   [[nodiscard]] int n_triangles() const { return int(corners.size() / 3); }
 };
 
@@ -74,6 +75,7 @@ inline RasterJob raster_job(const TileCluster& cluster, std::size_t number) {
   job.first_owner = std::uint32_t(number) * kMaxClusterTriangles;
   job.key_before = lower;
   job.facing_sign = faces;
+  job.marks = cluster.marks.data();
   return job;
 }
 
@@ -81,7 +83,7 @@ inline void fill(TileBuffers& tile, float depth) {
   std::fill_n(tile.depth, kTilePixels, depth);
   std::fill_n(tile.owner, kTilePixels, kNoOwner);
   std::fill_n(tile.block_min, std::size(tile.block_min), depth);
-  std::fill_n(tile.stale, std::size(tile.stale), std::uint8_t(0));
+  std::fill_n(tile.written, std::size(tile.written), kTouched);
 }
 
 }  // namespace lode::bench
