@@ -28,6 +28,10 @@ TEST(Run, RefusesWhatItDoesNotKnowInOneLine) {
   refused({"convex_culling", "convex_approximation", "--set", "k=1"}, "--set: expected EXPERIMENT.NAME=VALUE");
   refused({}, "EXPERIMENT");
   EXPECT_EQ(run_lodestone({"run", "convex_culling", "--set", "k=1"}).status, 3);
+  const auto moon = run_lodestone({"run", "convex_culling", "--set", "scene=moon"});
+  EXPECT_EQ(moon.status, 3);
+  EXPECT_THAT(moon.err, HasSubstr("one of all, town179, interior124"));
+  EXPECT_EQ(run_lodestone({"run", "convex_culling", "--set", "viewpoints=0.5"}).status, 3);
 }
 
 TEST(Run, IsListed) {

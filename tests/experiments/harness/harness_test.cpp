@@ -114,7 +114,7 @@ TEST(CullingCase, TellsWhatIsCulledLostAndTaken) {
   const raster::RenderOptions options{.threads = 1};
   std::vector<std::unique_ptr<PreparedMethod>> methods;
   std::vector<PreparedMethod*> pointers;
-  for (const char* name : {"plain", "frustum_culling + skips", "hierarchical_z", "inner_boxes"}) {
+  for (const char* name : {"plain", "frustum_culling + skips", "hierarchical_z", "inner_boxes", "oracle"}) {
     methods.push_back(std::make_unique<PreparedMethod>(make_method(name), world, options));
     pointers.push_back(methods.back().get());
   }
@@ -123,8 +123,8 @@ TEST(CullingCase, TellsWhatIsCulledLostAndTaken) {
   one.frames = {0}, one.cameras = {front_camera()}, one.size_px = {80, 60}, one.n_rounds = 1;
   int n_steps = 0;
   const CaseResult result = run_culling_case(one, world, pointers, KeptResults(""), options, [&] { ++n_steps; });
-  ASSERT_EQ(result.results.size(), 4u);
-  ASSERT_EQ(result.times.size(), 4u);
+  ASSERT_EQ(result.results.size(), 5u);
+  ASSERT_EQ(result.times.size(), 5u);
   EXPECT_EQ(n_steps, 1 + 1);  // the results, and one round
   for (const Row& row : result.results) {
     EXPECT_EQ(row.number("visible"), 2.0) << row.text("method");
@@ -133,6 +133,7 @@ TEST(CullingCase, TellsWhatIsCulledLostAndTaken) {
     EXPECT_EQ(row.number("same_picture"), 1.0) << row.text("method");
   }
   EXPECT_EQ(row_of(result.results, "plain").number("objects"), 3.0);
+  EXPECT_EQ(row_of(result.results, "oracle").number("objects"), 2.0);
   EXPECT_EQ(row_of(result.results, "hierarchical_z").number("culled"), 1.0);
   EXPECT_EQ(row_of(result.results, "inner_boxes").number("culled"), 1.0);
   EXPECT_GT(row_of(result.times, "plain").number("frame_ms"), 0.0);
