@@ -92,6 +92,9 @@ HWY_INLINE void LinearTexelsAt(const double* coordinates, const std::int32_t* si
 /// Σ weight · texel of one sample, four channels, in double.
 class TexelSum {
  public:
+  HWY_INLINE TexelSum() {
+    for (auto& sum : sum_) sum = hn::Zero(Fours());
+  }
   /// A texel of weight 0 adds nothing, be it infinite.
   HWY_INLINE void Add(const float* texel, std::int32_t weight) {
     if (weight == 0) return;
@@ -116,7 +119,7 @@ class TexelSum {
  private:
   using Fours = hn::CappedTag<double, 4>;
   static constexpr std::size_t kVectors = 4 / hn::MaxLanes(Fours());
-  hn::Vec<Fours> sum_[kVectors] = {};
+  hn::Vec<Fours> sum_[kVectors];
 };
 
 /// One level's part of each sample's sum.
