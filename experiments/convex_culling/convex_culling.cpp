@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "experiments/convex_culling/attribution.h"
+#include "experiments/convex_culling/names.h"
 #include "experiments/convex_culling/section.h"
 #include "experiments/convex_culling/summary.h"
+#include "experiments/file_bytes.h"
 #include "experiments/harness/case_pictures.h"
 #include "experiments/harness/culling_case.h"
 #include "experiments/harness/scene_hash.h"
@@ -23,22 +23,19 @@ namespace lode::experiments {
 namespace {
 
 /// Each with the renderer's occlusion skipping off, then with it.
-constexpr const char* kMethods[] = {"plain",
-                                    "frustum_culling",
-                                    "oracle",
-                                    "hierarchical_z",
-                                    "masked_occlusion",
-                                    "masked_occlusion:shape=inner_boxes",
-                                    "inner_boxes",
-                                    "convex_culling:mode=literal",
-                                    "convex_culling:mode=safe",
-                                    "convex_culling:mode=conservative"};
-
-/// Whose pictures are kept: the frame of each walk in which it loses the most.
-constexpr const char* kShownMethod = "convex_culling:mode=safe";
+constexpr std::string_view kMethods[] = {"plain",
+                                         kBaseline,
+                                         kOracle,
+                                         "hierarchical_z",
+                                         "masked_occlusion",
+                                         "masked_occlusion:shape=inner_boxes",
+                                         "inner_boxes",
+                                         "convex_culling:mode=literal",
+                                         kPaper,
+                                         "convex_culling:mode=conservative"};
 
 /// Whose losses are traced to their causes.
-constexpr std::array kAttributed = {"convex_culling:mode=literal", "convex_culling:mode=safe"};
+constexpr std::array kAttributed = {"convex_culling:mode=literal", kPaper};
 
 /// How much of a walk the quick size looks at.
 constexpr int kQuickFrames = 10, kQuickViewpoints = 8, kFullViewpoints = 1000;
@@ -89,7 +86,7 @@ std::vector<CullingCase> cases_of(const geometry::Scene& scene, const Experiment
     for (const std::uint32_t frame : one.frames) one.cameras.push_back(geometry::camera_at(path, int(frame)));
   }
   CullingCase& random = cases.emplace_back(base);
-  random.path = "random viewpoints";
+  random.path = kRandomViewpoints;
   random.cameras =
       geometry::random_viewpoints(scene, run.seed, chosen(run, "viewpoints", kQuickViewpoints, kFullViewpoints));
   for (std::uint32_t k = 0; k < random.cameras.size(); ++k) random.frames.push_back(k);
@@ -99,9 +96,9 @@ std::vector<CullingCase> cases_of(const geometry::Scene& scene, const Experiment
 
 std::vector<Method> methods() {
   std::vector<Method> all;
-  for (const char* name : kMethods) {
+  for (const std::string_view name : kMethods) {
     all.push_back(make_method(name));
-    all.push_back(make_method(std::string(name) + " + skips"));
+    all.push_back(make_method(std::string(name) + std::string(kWithSkips)));
   }
   return all;
 }
@@ -133,9 +130,11 @@ bool read_case(std::string_view text, FinishedCase& one) {
   return true;
 }
 
-std::string bytes_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+Row kept_file(const std::string& folder, const std::string& name) {
+  Row row;
+  row.add("name", name);
+  row.add("bytes", base64(file_bytes(folder + "/" + name).value_or("")));
+  return row;
 }
 
 /// A scene's world and the methods prepared on it, made when the first case needs them.
@@ -157,11 +156,11 @@ class SceneBench {
       finished.result.losses.push_back(row);
     }
     const auto shown = std::find_if(methods_.begin(), methods_.end(),
-                                    [](const auto& method) { return method->method().name == kShownMethod; });
-    const std::size_t frame = telling_frame(one, finished.result, kShownMethod);
+                                    [](const auto& method) { return method->method().name == kPaper; });
+    const std::size_t frame = telling_frame(one, finished.result, kPaper);
     for (const std::string& name :
          write_case_pictures(one, frame, *world_, **shown, run_.common.render_options(), run_.images)) {
-      finished.files.emplace_back().add("name", name).add("bytes", base64(bytes_of(run_.images + "/" + name)));
+      finished.files.push_back(kept_file(run_.images, name));
     }
     return finished;
   }
@@ -192,13 +191,6 @@ void add(const CaseResult& from, ExperimentResults& to) {
   to.times.insert(to.times.end(), from.times.begin(), from.times.end());
 }
 
-void write_file(const std::string& path, const std::string& bytes_base64) {
-  const std::string bytes = from_base64(bytes_base64);
-  WholeFile file(path);
-  file.file().write(bytes.data(), bytes.size());
-  publish({&file});
-}
-
 void run_scene(const std::string& name, const ExperimentRun& run, ExperimentResults& results) {
   const geometry::Scene scene = make_builtin_scene(name);
   SceneBench bench(scene, run);
@@ -207,7 +199,9 @@ void run_scene(const std::string& name, const ExperimentRun& run, ExperimentResu
     FinishedCase finished;
     const std::optional<std::string> kept = run.kept.find(key);
     if (kept && read_case(*kept, finished)) {
-      for (const Row& file : finished.files) write_file(run.images + "/" + file.text("name"), file.text("bytes"));
+      for (const Row& file : finished.files) {
+        write_whole_file(run.images + "/" + file.text("name"), from_base64(file.text("bytes")));
+      }
     } else {
       finished = bench.run(one);
       run.kept.keep(key, text_of(finished));

@@ -5,6 +5,8 @@
 
 #include "experiments/convex_culling/case_figures.h"
 #include "experiments/convex_culling/method_rows.h"
+#include "experiments/convex_culling/names.h"
+#include "experiments/harness/method.h"
 #include "experiments/report/html.h"
 #include "experiments/scenes/builtin_scene.h"
 #include "experiments/technique_list.h"
@@ -68,7 +70,7 @@ std::string what_methods_do(const std::vector<Row>& summary) {
     const std::string name = method.substr(0, method.find_first_of(": "));
     if (std::find(said.begin(), said.end(), name) != said.end()) continue;
     said.push_back(name);
-    std::string words = name == "oracle" ? "Draws just what can be seen, told for nothing: a bound, no technique" : "";
+    std::string words = name == kOracle ? "Draws just what can be seen, told for nothing: a bound, no technique" : "";
     for (const TechniqueEntry& entry : technique_list()) {
       if (entry.name == name) words = entry.summary;
     }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/convex_culling/names.h"
+
 namespace lode::experiments {
 namespace {
-
-constexpr std::string_view kBaseline = "frustum_culling";
 
 std::vector<const Row*> rows_of_method(const std::vector<Row>& rows, const std::string& method) {
   std::vector<const Row*> of;
@@ -43,7 +43,7 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     const std::string name = row.text("method");
     if (std::find(methods.begin(), methods.end(), name) == methods.end()) methods.push_back(name);
   }
-  const double baseline_ms = sum(rows_of_method(result.times, std::string(kBaseline)), "frame_ms");
+  const double baseline_ms = sum(rows_of_method(result.times, kBaseline), "frame_ms");
   for (const std::string& method : methods) {
     const auto found = rows_of_method(result.results, method), times = rows_of_method(result.times, method);
     const double ms = sum(times, "frame_ms"), own_ms = sum(times, "technique_ms");
@@ -75,8 +75,7 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     row.add("false_samples_random", std::int64_t(sum(found, "false_samples_random")));
     row.add("pictures_that_differ", differ);
     for (const Row* losses : rows_of_method(result.losses, method)) {
-      for (const char* cause : {"depth_px", "snapping_px", "bulge_px"})
-        row.add(cause, std::int64_t(losses->number(cause)));
+      for (const Cause& cause : kCauses) row.add(cause.column, std::int64_t(losses->number(cause.column)));
     }
   }
 }

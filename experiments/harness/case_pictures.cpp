@@ -134,9 +134,7 @@ std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t
   raster::render({.draws = draws, .clear = kSky, .viewport = {}, .scissor = {}}, whole, options);
   static_cast<void>(method.draw(view, drawn, kSky));
   std::vector<std::uint32_t> owned(world.objects().size(), 0);
-  for (const raster::Ids& ids : whole.ids) {
-    if (ids.draw != raster::kNoId) ++owned[world.object_of(ids.draw)];
-  }
+  add_owned_samples(whole, world, owned);
   const std::string name = one.scene + "." + one.path + "." + std::to_string(one.frames[frame]);
   std::vector<std::string> files;
   const auto write = [&](const char* kind, std::span<const glm::u8vec4> colors) {
@@ -152,10 +150,7 @@ std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t
     write(".flip.png", magma_picture(flip_map(pair, {.threads = options.threads}).errors));
   }
   files.push_back(name + ".top.svg");
-  WholeFile top(folder + "/" + files.back());
-  const std::string svg = top_view(world, view.camera, view.size_px, method, owned);
-  top.file().write(svg.data(), svg.size());
-  publish({&top});
+  write_whole_file(folder + "/" + files.back(), top_view(world, view.camera, view.size_px, method, owned));
   return files;
 }
 

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <iterator>
+
+#include "experiments/file_bytes.h"
 
 namespace lode::experiments {
 namespace {
@@ -69,13 +69,8 @@ constexpr const char* kScript = R"(
   }
 )";
 
-std::string bytes_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::string source_of(const std::string& file) {
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = file_bytes(file).value_or("");
   return bytes.empty() ? std::string() : "data:image/png;base64," + base64(bytes);
 }
 
