@@ -6,15 +6,15 @@
 #include <memory>
 
 #include "experiments/convex_culling/attribution.h"
+#include "experiments/convex_culling/finished_case.h"
 #include "experiments/convex_culling/names.h"
 #include "experiments/convex_culling/section.h"
 #include "experiments/convex_culling/summary.h"
-#include "experiments/file_bytes.h"
 #include "experiments/harness/case_pictures.h"
 #include "experiments/harness/culling_case.h"
 #include "experiments/harness/scene_hash.h"
+#include "experiments/harness/true_error.h"
 #include "experiments/progress.h"
-#include "experiments/report/html.h"
 #include "experiments/scenes/builtin_scene.h"
 #include "experiments/whole_file.h"
 #include "geometry/viewpoints.h"
@@ -23,7 +23,7 @@ namespace lode::experiments {
 namespace {
 
 /// Each with the renderer's occlusion skipping off, then with it.
-constexpr std::string_view kMethods[] = {"plain",
+constexpr std::string_view kMethods[] = {kEverything,
                                          kBaseline,
                                          kOracle,
                                          "hierarchical_z",
@@ -40,6 +40,7 @@ constexpr std::array kAttributed = {"convex_culling:mode=literal", kPaper};
 /// How much of a walk the quick size looks at.
 constexpr int kQuickFrames = 10, kQuickViewpoints = 8, kFullViewpoints = 1000;
 constexpr int kQuickRounds = 3, kFullRounds = 5;
+constexpr int kQuickTruths = 1, kFullTruths = 4;
 
 /// What a run may choose: -1 is what its size has.
 constexpr double kOfSize = -1.0;
@@ -56,6 +57,7 @@ std::vector<Parameter> parameters() {
   return {choice_parameter("scene", "one alone, or all that there are", std::move(scenes), 0),
           number("frames", "looked at of each walk, at most", 1e6),
           number("viewpoints", "random ones in each scene", 1e6),
+          number("truths", "views of each walk held against the true picture", 1e6),
           number("rounds", "timed, of all methods in turn; 0: nothing is timed", 1000)};
 }
 
@@ -104,43 +106,32 @@ std::vector<Method> methods() {
 }
 
 /// What a finished case depends on, beside the program itself.
-std::string key_of(const CullingCase& one, const ExperimentRun& run) {
-  std::string key = "convex_culling case 4; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
-                    std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; threads " +
+std::string key_of(const CullingCase& one, const std::string& look, const ExperimentRun& run) {
+  std::string key = "convex_culling case 5; " + one.scene + "; " + one.scene_hash + "; look " + look + "; " + one.path +
+                    "; seed " + std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; truths " +
+                    std::to_string(chosen(run, "truths", kQuickTruths, kFullTruths)) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
   for (const Method& method : methods()) key += " " + settings_of(method) + ";";
   return key;
 }
 
-/// A case's rows and its pictures' files, as text and back.
-struct FinishedCase {
-  CaseResult result;
-  std::vector<Row> files;  ///< name, bytes (base64)
-};
-std::string text_of(const FinishedCase& one) {
-  return rows_json(one.result.results) + "\n" + rows_json(one.result.times) + "\n" + rows_json(one.result.losses) +
-         "\n" + rows_json(one.files);
-}
-bool read_case(std::string_view text, FinishedCase& one) {
-  for (std::vector<Row>* rows : {&one.result.results, &one.result.times, &one.result.losses, &one.files}) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    if (!rows_of(text.substr(0, end), *rows)) return false;
-    text.remove_prefix(std::min(end + 1, text.size()));
+/// The views whose pictures are held against the truth: the telling one, then others spread over the walk.
+std::vector<std::size_t> views_with_truth(const CullingCase& one, std::size_t telling, int n) {
+  std::vector<std::size_t> views;
+  if (n > 0) views.push_back(telling);
+  const std::size_t n_spread = std::min(std::size_t(n), one.frames.size());
+  for (std::size_t k = 1; k < n_spread; ++k) {
+    const std::size_t view = k * one.frames.size() / n_spread;
+    if (std::find(views.begin(), views.end(), view) == views.end()) views.push_back(view);
   }
-  return true;
-}
-
-Row kept_file(const std::string& folder, const std::string& name) {
-  Row row;
-  row.add("name", name);
-  row.add("bytes", base64(file_bytes(folder + "/" + name).value_or("")));
-  return row;
+  return views;
 }
 
 /// A scene's world and the methods prepared on it, made when the first case needs them.
 class SceneBench {
  public:
-  SceneBench(const geometry::Scene& scene, const ExperimentRun& run) : scene_(scene), run_(run) {}
+  SceneBench(const geometry::Scene& scene, const std::string& look, const ExperimentRun& run)
+      : scene_(scene), look_(look), run_(run) {}
 
   FinishedCase run(const CullingCase& one) {
     prepare();
@@ -158,10 +149,11 @@ class SceneBench {
     const auto shown = std::find_if(methods_.begin(), methods_.end(),
                                     [](const auto& method) { return method->method().name == kPaper; });
     const std::size_t frame = telling_frame(one, finished.result, kPaper);
-    for (const std::string& name :
-         write_case_pictures(one, frame, *world_, **shown, run_.common.render_options(), run_.images)) {
-      finished.files.push_back(kept_file(run_.images, name));
+    for (const std::size_t view : views_with_truth(one, frame, chosen(run_, "truths", kQuickTruths, kFullTruths))) {
+      add_true_errors(one, view, *world_, look_, pointers, run_.kept, run_.common.render_options(), finished.result);
     }
+    add_files(run_.images, write_case_pictures(one, frame, *world_, **shown, run_.common.render_options(), run_.images),
+              finished);
     return finished;
   }
 
@@ -181,6 +173,7 @@ class SceneBench {
   }
 
   const geometry::Scene& scene_;
+  const std::string& look_;
   const ExperimentRun& run_;
   std::unique_ptr<techniques::World> world_;
   std::vector<std::unique_ptr<PreparedMethod>> methods_;
@@ -193,15 +186,14 @@ void add(const CaseResult& from, ExperimentResults& to) {
 
 void run_scene(const std::string& name, const ExperimentRun& run, ExperimentResults& results) {
   const geometry::Scene scene = make_builtin_scene(name);
-  SceneBench bench(scene, run);
+  const std::string look = look_hash_of(scene);
+  SceneBench bench(scene, look, run);
   for (const CullingCase& one : cases_of(scene, run)) {
-    const std::string key = key_of(one, run);
+    const std::string key = key_of(one, look, run);
     FinishedCase finished;
     const std::optional<std::string> kept = run.kept.find(key);
     if (kept && read_case(*kept, finished)) {
-      for (const Row& file : finished.files) {
-        write_whole_file(run.images + "/" + file.text("name"), from_base64(file.text("bytes")));
-      }
+      write_files(finished, run.images);
     } else {
       finished = bench.run(one);
       run.kept.keep(key, text_of(finished));

@@ -49,7 +49,8 @@ const Row* fastest_without_loss(const std::vector<Row>& summary) {
   const Row* best = nullptr;
   for (const Row& row : summary) {
     const std::string method = row.text("method");
-    const bool decides = method != "plain" && method != kBaseline && method != kOracle && !method.ends_with(kWithSkips);
+    const bool decides =
+        method != kEverything && method != kBaseline && method != kOracle && !method.ends_with(kWithSkips);
     if (!decides || row.number("false_px") > 0.0) continue;
     if (best == nullptr || row.number("speedup") > best->number("speedup")) best = &row;
   }

@@ -5,8 +5,9 @@
 
 namespace lode::experiments {
 
-/// What all are held against, and the paper's technique as it is shown.
-inline constexpr const char *kBaseline = "frustum_culling", *kPaper = "convex_culling:mode=safe";
+/// What leaves out nothing, what all are held against, and the paper's technique as it is shown.
+inline constexpr const char *kEverything = "plain", *kBaseline = "frustum_culling",
+                            *kPaper = "convex_culling:mode=safe";
 
 /// The path of a case that is no walk.
 inline constexpr const char* kRandomViewpoints = "random viewpoints";

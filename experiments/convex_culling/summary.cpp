@@ -35,6 +35,19 @@ std::int64_t count_if_positive(const std::vector<const Row*>& rows, std::string_
   return std::count_if(rows.begin(), rows.end(), [&](const Row* row) { return row->number(column) > 0.0; });
 }
 
+/// Of the views that were held against the truth. Where pictures are equal there is no PSNR.
+void add_true_means(const std::vector<const Row*>& rows, Row& row) {
+  const auto n_with = [&](const char* column) {
+    return std::count_if(rows.begin(), rows.end(), [&](const Row* r) { return r->find(column) != nullptr; });
+  };
+  const auto n_views = std::int64_t(n_with("flip_true"));
+  if (n_views == 0) return;
+  row.add("true_views", n_views);
+  for (const char* column : {"flip_true", "psnr_true_db", "flip_whole", "psnr_whole_db"}) {
+    if (const auto n = n_with(column); n > 0) row.add(column, sum(rows, column) / double(n));
+  }
+}
+
 }  // namespace
 
 void add_summary(const CaseResult& result, std::vector<Row>& summary) {
@@ -74,6 +87,7 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     row.add("false_samples_4x4", std::int64_t(sum(found, "false_samples_4x4")));
     row.add("false_samples_random", std::int64_t(sum(found, "false_samples_random")));
     row.add("pictures_that_differ", differ);
+    add_true_means(found, row);
     for (const Row* losses : rows_of_method(result.losses, method)) {
       for (const Cause& cause : kCauses) row.add(cause.column, std::int64_t(losses->number(cause.column)));
     }

@@ -5,13 +5,14 @@
 #include <charconv>
 #include <numeric>
 
+#include "experiments/display_bytes.h"
+#include "experiments/harness/sky.h"
 #include "experiments/harness/visible_samples.h"
 #include "experiments/metrics/flip/flip.h"
 #include "experiments/metrics/magma.h"
 #include "experiments/whole_file.h"
 #include "geometry/image_file.h"
 #include "raster/render.h"
-#include "raster/srgb.h"
 #include "techniques/objects_in_view.h"
 
 namespace lode::experiments {
@@ -21,8 +22,6 @@ using techniques::ObjectId;
 
 /// What covers more than this of the scene is ground, which would hide all else from above.
 constexpr double kGroundShare = 0.5;
-
-constexpr glm::vec4 kSky{0.35f, 0.5f, 0.65f, 1.0f};  // linear
 
 std::string one_digit(double value) {
   std::array<char, 64> text;
@@ -44,13 +43,6 @@ std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, dou
          one_digit((box.high.z - box.low.z) * scale) + "\"/>\n";
 }
 
-std::vector<glm::u8vec4> display_of(const raster::Image& image) {
-  std::vector<glm::u8vec4> bytes;
-  bytes.reserve(image.rgba32f.size());
-  for (const glm::vec4& c : image.rgba32f) bytes.push_back(raster::srgb8_from_linear(c));
-  return bytes;
-}
-
 void write_png(const std::string& path, glm::ivec2 size_px, std::span<const glm::u8vec4> colors) {
   WholeFile file(path);
   geometry::write_color(file.file(), geometry::ImageFormat::png, size_px, colors);
@@ -60,7 +52,7 @@ void write_png(const std::string& path, glm::ivec2 size_px, std::span<const glm:
 /// The whole picture, dark; samples of objects that are missing, bright red.
 std::vector<glm::u8vec4> difference_of(const raster::Image& whole, const techniques::World& world,
                                        const PreparedMethod& method) {
-  std::vector<glm::u8vec4> bytes = display_of(whole);
+  std::vector<glm::u8vec4> bytes = display_bytes(whole.rgba32f);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const std::uint32_t draw = whole.ids[i].draw;
     const bool lost = draw != raster::kNoId && !method.stage().drawn(world.object_of(draw));
@@ -141,7 +133,7 @@ std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t
     files.push_back(name + kind);
     write_png(folder + "/" + files.back(), one.size_px, colors);
   };
-  const std::vector<glm::u8vec4> reference = display_of(whole), shown = display_of(drawn);
+  const std::vector<glm::u8vec4> reference = display_bytes(whole.rgba32f), shown = display_bytes(drawn.rgba32f);
   write(".whole.png", reference);
   if (reference != shown) {
     write(".drawn.png", shown);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "experiments/convex_culling/method_rows.h"
+#include "experiments/convex_culling/truth_table.h"
 #include "experiments/error.h"
 #include "experiments/report/found_results.h"
 #include "experiments/report/gnuplot.h"
@@ -117,6 +118,19 @@ TEST(MethodRows, SayWhatWasFound) {
   EXPECT_EQ(with_skips_beside(summary)[1].text("causes"), "2 px by hulls that bulge out of models");
   EXPECT_THAT(text, HasSubstr("leaves out 90.0 % of what cannot be seen, is 2.00 times as fast, and leaves out what "
                               "can be seen in 1 of 2 views: 0.2000 % of the pixels that show anything."));
+}
+
+// 0.031 of which everything has 0.030 by itself: culling added 0.001.
+TEST(TruthTable, TellsWhatCullingAddsToThePicturesOwnError) {
+  std::vector<Row> summary(2);
+  summary[0].add("method", std::string("plain")).add("true_views", std::int64_t(1));
+  summary[0].add("flip_true", 0.030).add("flip_whole", 0.0);
+  EXPECT_THAT(truth_table({summary[0]}), HasSubstr("off by a FLIP of 0.0300"));
+  EXPECT_THAT(truth_table({summary[0]}), HasSubstr("all methods draw the same picture"));
+  summary[1].add("method", std::string("convex_culling:mode=safe")).add("flip_true", 0.031).add("flip_whole", 0.002);
+  EXPECT_THAT(truth_table(summary), HasSubstr("<td>convex culling, safe</td><td class=\"n\">0.03100</td>"
+                                              "<td class=\"n\">0.00100</td>"));
+  EXPECT_EQ(truth_table({}), "");
 }
 
 TEST(Report, OfNothingIsRefusedInOneLine) {
