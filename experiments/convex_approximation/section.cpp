@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "experiments/convex_approximation/growth.h"
+#include "experiments/convex_approximation/model_pictures.h"
 #include "experiments/report/html.h"
 
 namespace lode::experiments {
@@ -92,6 +93,24 @@ std::string growth(const std::vector<Row>& summary) {
   return {};
 }
 
+std::string pictures(const FoundResults& found, const std::vector<Row>& rows) {
+  std::string html, last;
+  for (const Row& row : rows) {
+    const std::string model = row.text("model"), name = found.images + "/" + model;
+    const std::string hulls = model == last ? "" : html_image(name + kHullsPicture, model + " and its hulls");
+    last = model;
+    if (hulls.empty()) continue;
+    html += "<figure>" + hulls + "<figcaption>" + escaped(model) +
+            ": the model, and its hulls at levels 1 and 2, a colour each</figcaption></figure>\n";
+    if (const std::string boxes = html_image(name + kBoxesPicture, model + " and its inner boxes"); !boxes.empty()) {
+      html += "<figure>" + boxes + "<figcaption>" + escaped(model) +
+              ": the model, and inner boxes, which the rival uses</figcaption></figure>\n";
+    }
+  }
+  return html.empty() ? html
+                      : "<details><summary>Pictures of the models and their hulls</summary>" + html + "</details>\n";
+}
+
 }  // namespace
 
 std::string convex_approximation_section(const FoundResults& found) {
@@ -116,7 +135,7 @@ std::string convex_approximation_section(const FoundResults& found) {
                                      {"cluster_s", "clusters", 3}, {"partition_s", "way down", 3},
                                      {"hulls_s", "hulls", 3}};
   const std::vector<Row> all = beside_the_paper(found.summary), rows = main_reading(all);
-  return std::string(kExplanation) + findings(rows) + html_table(rows, columns) +
+  return std::string(kExplanation) + findings(rows) + html_table(rows, columns) + pictures(found, rows) +
          "<details><summary>Other readings of the paper</summary>" + kReadings + html_table(all, readings) +
          "</details>\n<h3>Time to make them</h3>\n" + growth(found.summary) +
          html_table(main_reading(found.times), times);

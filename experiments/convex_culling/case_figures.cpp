@@ -32,6 +32,19 @@ std::string plot(const Plot& plot, const std::string& caption) {
          "</figcaption></figure>\n";
 }
 
+/// What the rivals cull in the same view.
+std::string rivals_from_above(const std::string& name) {
+  std::string html;
+  for (const char* rival : kRivals) {
+    const std::string svg = file_bytes(name + "." + rival + ".top.svg").value_or("");
+    if (!svg.empty())
+      html += "<figure>" + svg + "<figcaption>" + escaped(spoken_name(rival)) + "</figcaption></figure>";
+  }
+  if (html.empty()) return html;
+  return "<details><summary>What its rivals cull in this view, from above</summary><div class=\"three\">" + html +
+         "</div></details>\n";
+}
+
 /// `name`: of its files, without what tells them apart. `frame`: as `lodestone render` takes it.
 std::string pictures_of_view(const std::string& name, const std::string& scene, const std::string& path,
                              const std::string& frame) {
@@ -40,7 +53,7 @@ std::string pictures_of_view(const std::string& name, const std::string& scene, 
   if (lost) {
     html += html_slider(name + std::string(kWhole), name + ".drawn.png",
                         "View " + frame + ". Left: everything. Right: convex culling, safe.");
-    html += picture(name + ".difference.png", "What was lost, in red");
+    html += picture(name + ".difference.png", "What was lost, in red, framed");
     html += picture(name + ".flip.png",
                     "What a person sees of it: FLIP, from black (nothing) over purple and orange to yellow (most)");
   } else {
@@ -49,6 +62,7 @@ std::string pictures_of_view(const std::string& name, const std::string& scene, 
   }
   html += "<figure>" + file_bytes(name + ".top.svg").value_or("") +
           "<figcaption>The same view from above: objects, by their boxes" + kLegend + "</figcaption></figure></div>\n";
+  html += rivals_from_above(name);
   if (path == kRandomViewpoints) return html;
   return html + "<p class=\"again\">Again: <code>" +
          escaped("lodestone render " + scene + " --camera \"" + path + " " + frame +

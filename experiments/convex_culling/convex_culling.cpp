@@ -107,7 +107,7 @@ std::vector<Method> methods() {
 
 /// What a finished case depends on, beside the program itself.
 std::string key_of(const CullingCase& one, const std::string& look, const ExperimentRun& run) {
-  std::string key = "convex_culling case 5; " + one.scene + "; " + one.scene_hash + "; look " + look + "; " + one.path +
+  std::string key = "convex_culling case 6; " + one.scene + "; " + one.scene_hash + "; look " + look + "; " + one.path +
                     "; seed " + std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; truths " +
                     std::to_string(chosen(run, "truths", kQuickTruths, kFullTruths)) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
@@ -146,18 +146,26 @@ class SceneBench {
                                             run_.common.render_options())) {
       finished.result.losses.push_back(row);
     }
-    const auto shown = std::find_if(methods_.begin(), methods_.end(),
-                                    [](const auto& method) { return method->method().name == kPaper; });
     const std::size_t frame = telling_frame(one, finished.result, kPaper);
     for (const std::size_t view : views_with_truth(one, frame, chosen(run_, "truths", kQuickTruths, kFullTruths))) {
       add_true_errors(one, view, *world_, look_, pointers, run_.kept, run_.common.render_options(), finished.result);
     }
-    add_files(run_.images, write_case_pictures(one, frame, *world_, **shown, run_.common.render_options(), run_.images),
-              finished);
+    std::vector<PreparedMethod*> rivals;
+    for (const char* name : kRivals) rivals.push_back(method_of(name));
+    add_files(
+        run_.images,
+        write_case_pictures(one, frame, *world_, *method_of(kPaper), rivals, run_.common.render_options(), run_.images),
+        finished);
     return finished;
   }
 
  private:
+  /// One of kMethods.
+  [[nodiscard]] PreparedMethod* method_of(std::string_view name) const {
+    return std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m->method().name == name; })
+        ->get();
+  }
+
   void prepare() {
     if (world_) return;
     const std::vector<Method> all = methods();

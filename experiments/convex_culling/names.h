@@ -9,6 +9,9 @@ namespace lode::experiments {
 inline constexpr const char *kEverything = "plain", *kBaseline = "frustum_culling",
                             *kPaper = "convex_culling:mode=safe";
 
+/// Whose view from above is shown beside the paper's.
+inline constexpr std::array kRivals = {"hierarchical_z", "masked_occlusion", "inner_boxes"};
+
 /// The path of a case that is no walk.
 inline constexpr const char* kRandomViewpoints = "random viewpoints";
 

@@ -21,7 +21,7 @@ renderer then draws the rest at 640&nbsp;&times;&nbsp;480. How the tables are re
 <ul>
 <li><b>Times faster</b> than frustum culling, which leaves out only what is beside the view. &ldquo;With skips&rdquo;: the
 renderer, too, skips clusters of triangles behind what it has drawn; held against the same frustum culling without.</li>
-<li><b>Own ms</b>: what deciding takes, of a frame. <b>Own % of saved</b>: of the time that the method saves the renderer.</li>
+<li><b>Own ms</b>: what deciding takes, of a frame. <b>Own % of saved</b>: of the time that the method saves the renderer, if it saves any.</li>
 <li><b>Culled %</b>: of objects in view that own no pixel, and so could be left out.</li>
 <li><b>False</b> is what was left out and can be seen: objects, pixels (samples at their centres), samples at 4&nbsp;&times;&nbsp;4
 places in every pixel, and at random places. A method that promises to be conservative where <em>sampled</em> must lose nothing

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "experiments/convex_culling/names.h"
+#include "experiments/harness/method.h"
 
 namespace lode::experiments {
 namespace {
@@ -78,7 +79,9 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     row.add("frame_ms_p99", quantile(times, "frame_ms", 0.99)).add("technique_ms_mean", own_ms / n_times);
     row.add("speedup", ms > 0.0 ? baseline_ms / ms : 0.0);
     const double saved_ms = baseline_ms - (ms - own_ms);
-    row.add("own_percent_of_saved", saved_ms > 0.0 ? 100.0 * own_ms / saved_ms : 0.0);
+    if (saved_ms > 0.0 && without_skips(method) != kBaseline) {
+      row.add("own_percent_of_saved", 100.0 * own_ms / saved_ms);
+    }
     row.add("culled_percent", could > 0.0 ? 100.0 * rightly / could : 0.0);
     row.add("false_frames", count_if_positive(found, "false_px"))
         .add("false_objects", std::int64_t(sum(found, "false_objects")));
