@@ -86,7 +86,7 @@ std::string time_against_error(const std::vector<Row>& summary) {
     auto known = std::find(methods.begin(), methods.end(), base);
     if (known == methods.end()) {
       known = methods.insert(known, base);
-      list += (list.empty() ? "" : ", ") + std::to_string(methods.size()) + " " + spoken_name(base);
+      list += (list.empty() ? "" : "; ") + std::to_string(methods.size()) + " " + spoken_name(base);
     }
     PlotSeries& series = skips ? on : off;
     series.x.push_back(row.number("frame_ms_mean")), series.y.push_back(row.number("false_percent"));

@@ -18,9 +18,10 @@ constexpr const char* kStyle = R"(
   section { border-top: 1px solid var(--line); padding: 1.5rem 0; }
   nav a { margin-right: 1rem; white-space: nowrap; }
   .wide { overflow-x: auto; }
-  table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
+  table { border-collapse: separate; border-spacing: 0; font-size: .85rem; font-variant-numeric: tabular-nums; }
   th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
   td { white-space: nowrap; }
+  th:first-child, td:first-child { position: sticky; left: 0; background: Canvas; }
   th { font-weight: 600; }
   td.n, th.n { text-align: right; }
   th { vertical-align: bottom; }

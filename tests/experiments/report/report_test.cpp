@@ -85,14 +85,14 @@ TEST(PlotScript, ALogarithmicAxisHasAPlaceForZero) {
   EXPECT_THAT(script, HasSubstr("set ytics (\"0\" -4, \"0.001\" -3, \"0.01\" -2, \"0.1\" -1)"));
 }
 
-// Two points in one place: the second's label is above the first's.
+// Two points in one place share a label. The one just above has a label of its own, a line higher than its 0.8.
 TEST(PlotScript, LabelsDoNotLieOnEachOther) {
-  const std::string script =
-      plot_script({.x_title = "",
-                   .y_title = "",
-                   .series = {{.title = "a", .x = {1, 1, 9}, .y = {5, 5, 5}, .labels = {"1", "2", "3"}}}});
-  EXPECT_THAT(script, HasSubstr("\"1\" at 1,5 center offset 0,0.8"));
-  EXPECT_THAT(script, HasSubstr("\"2\" at 1,5 center offset 0,1.8"));
+  const std::string script = plot_script(
+      {.x_title = "",
+       .y_title = "",
+       .series = {{.title = "a", .x = {1, 1, 1, 9}, .y = {5, 5, 5.01, 5}, .labels = {"1", "2", "4", "3"}}}});
+  EXPECT_THAT(script, HasSubstr("\"1 2\" at 1,5 center offset 0,0.8"));
+  EXPECT_THAT(script, HasSubstr("\"4\" at 1,5.01 center offset 0,1.8"));
   EXPECT_THAT(script, HasSubstr("\"3\" at 9,5 center offset 0,0.8"));
 }
 
