@@ -13,7 +13,7 @@
 namespace lode::geometry {
 namespace {
 
-constexpr double kPlinth = 0.4, kFloor = 2.8, kEaves = 0.5, kRoofBase = 0.16;
+constexpr double kPlinth = 0.4, kFloor = 2.8, kEaves = 0.5;
 constexpr std::size_t kBlock = 12;  ///< triangles
 
 const Material kGlass = paint("house glass", 0.07f, 0.12f, 0.17f);
