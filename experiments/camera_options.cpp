@@ -91,15 +91,31 @@ geometry::Camera place(const PlacedCamera& placed, const geometry::Bounds& bound
   return camera;
 }
 
+/// "PATH FRAME": any frame of a walk.
+std::optional<geometry::Camera> camera_on_path(const std::string& name, const geometry::Scene& scene) {
+  const std::size_t space = name.rfind(' ');
+  if (space == std::string::npos) return std::nullopt;
+  const std::optional<std::int64_t> frame = whole_number_in(std::string_view(name).substr(space + 1));
+  for (const geometry::CameraPath& path : scene.paths) {
+    if (frame && *frame < path.n_frames && name.substr(0, space) == path.name) return camera_at(path, int(*frame));
+  }
+  return std::nullopt;
+}
+
 geometry::Camera named_camera(const std::string& name, const geometry::Scene& scene) {
   for (const geometry::SceneCamera& c : scene.cameras) {
     if (c.name == name) return c.camera;
   }
   const std::optional<std::int64_t> index = whole_number_in(name);
   if (index && std::size_t(*index) < scene.cameras.size()) return scene.cameras[std::size_t(*index)].camera;
+  if (const std::optional<geometry::Camera> camera = camera_on_path(name, scene)) return *camera;
   std::string known;
   for (std::size_t i = 0; i < scene.cameras.size() && known.size() < 200; ++i) {
     known += (i == 0 ? "" : ", ") + std::to_string(i) + " \"" + shortened(scene.cameras[i].name, 40) + "\"";
+  }
+  for (const geometry::CameraPath& path : scene.paths) {
+    known += std::string(known.empty() ? "" : ", ") + "\"" + shortened(path.name, 40) + " FRAME\" up to " +
+             std::to_string(path.n_frames - 1);
   }
   throw Error(Status::bad_input, scene.name + ": no camera \"" + shortened(name, 60) +
                                      "\": " + (known.empty() ? "the scene has none" : "expected one of " + known));
@@ -112,7 +128,8 @@ void add_camera_options(CLI::App& app, CameraOptions& o) {
     app.add_option(name, value, help)->option_text(type)->group("Camera");
   };
   add("--camera", o.camera, "NAME|INDEX",
-      "One of the scene's cameras (default the first; with none, one that frames the scene)");
+      "One of the scene's cameras, or \"PATH FRAME\" of a walk (default the first; with none, one that frames the "
+      "scene)");
   add("--eye", o.eye, "X,Y,Z", "A camera here instead: right-handed, y up");
   add("--look-at", o.look_at, "X,Y,Z", "... that looks there");
   add("--up", o.up, "X,Y,Z", "... with this direction up (default 0,1,0)");

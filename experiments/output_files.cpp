@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "experiments/display_bytes.h"
 #include "experiments/error.h"
-#include "raster/srgb.h"
 
 namespace lode::experiments {
 namespace {
@@ -93,10 +93,7 @@ void OutputFiles::write_color(const raster::Image& image) {
   } else if (color_.format != geometry::ImageFormat::png) {
     geometry::write_color(file, color_.format, image.size_px, image.rgba32f);
   } else {
-    std::vector<glm::u8vec4> bytes;
-    bytes.reserve(image.rgba32f.size());
-    for (const glm::vec4& c : image.rgba32f) bytes.push_back(raster::srgb8_from_linear(c));
-    geometry::write_color(file, color_.format, image.size_px, bytes);
+    geometry::write_color(file, color_.format, image.size_px, display_bytes(image.rgba32f));
   }
 }
 

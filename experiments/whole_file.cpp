@@ -131,6 +131,12 @@ void publish(std::initializer_list<WholeFile*> files) {
   if (error != 0) throw Error(Status::machine_failed, failed + ": cannot be written: " + std::strerror(error));
 }
 
+void write_whole_file(const std::string& path, std::string_view bytes) {
+  WholeFile file(path);
+  file.file().write(bytes.data(), bytes.size());
+  publish({&file});
+}
+
 void clear_terminal_line_on_signals(bool clear) noexcept { clearing_line = clear; }
 
 void remove_temporary_files_on_signals() {

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "geometry/output_file.h"
 
@@ -33,6 +34,9 @@ class WholeFile {
 /// Closes the files and, if every byte of all of them was written, renames them to where they belong. Null
 /// pointers are skipped. A signal that arrives meanwhile waits. Throws Error (machine_failed).
 void publish(std::initializer_list<WholeFile*> files);
+
+/// One file of these bytes. Throws Error as WholeFile and publish do.
+void write_whole_file(const std::string& path, std::string_view bytes);
 
 /// Whether the signals above also clear the line that standard error's cursor is in (progress is shown there).
 void clear_terminal_line_on_signals(bool clear) noexcept;

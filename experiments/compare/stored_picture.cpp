@@ -2,12 +2,12 @@
 
 #include <cstring>
 
+#include "experiments/display_bytes.h"
 #include "experiments/error.h"
 #include "geometry/image_file.h"
 #include "geometry/image_file/read_picture.h"
 #include "geometry/npy_file.h"
 #include "raster/image.h"
-#include "raster/srgb.h"
 
 namespace lode::experiments {
 namespace {
@@ -17,13 +17,6 @@ std::vector<Element> elements_of(const geometry::NpyArray& array) {
   std::vector<Element> elements(array.bytes.size() / sizeof(Element));
   if (!elements.empty()) std::memcpy(elements.data(), array.bytes.data(), elements.size() * sizeof(Element));
   return elements;
-}
-
-ColorPlane encoded(const std::vector<glm::vec4>& linear) {
-  ColorPlane bytes;
-  bytes.reserve(linear.size());
-  for (const glm::vec4& c : linear) bytes.push_back(raster::srgb8_from_linear(c));
-  return bytes;
 }
 
 std::string shape_text(const geometry::NpyArray& array) {
@@ -47,7 +40,7 @@ StoredPicture read_array(const std::string& path) {
   } else if (sized && is("<f4", 3, 4)) {
     picture.is_linear = true;
     picture.linear = elements_of<glm::vec4>(array);
-    picture.plane = encoded(picture.linear);
+    picture.plane = display_bytes(picture.linear);
   } else if (sized && is("<f4", 2, 0)) {
     picture.plane = elements_of<float>(array);
   } else if (sized && is("<u4", 3, 2)) {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "experiments/convex_approximation/growth.h"
+#include "experiments/convex_approximation/model_pictures.h"
 #include "experiments/convex_approximation/section.h"
 #include "experiments/convex_approximation/stage_clock.h"
 #include "experiments/progress.h"
@@ -94,6 +95,10 @@ void approximate_subject(const Subject& subject, const ExperimentRun& run, Exper
         row.add("count", std::string(count == VertexCount::sum ? "sum" : "distinct"));
         return row.add("order", std::string(order == SplitOrder::better ? "better" : "as printed"));
       };
+      if (main_reading) {
+        write_hulls_picture(run.images + "/" + subject.name + kHullsPicture, subject.shape, a,
+                            run.common.render_options());
+      }
       Row& time = results.times.emplace_back(begin_row());
       clock.add_to(time);
       for (std::size_t l = 0; l < a.levels.size(); ++l) {
@@ -117,6 +122,7 @@ ExperimentResults run(const ExperimentRun& run) {
   Progress progress(run.streams, run.common, "approximating", "models", all.size());
   for (const Subject& subject : all) {
     approximate_subject(subject, run, results);
+    write_boxes_picture(run.images + "/" + subject.name + kBoxesPicture, subject.shape, run.common.render_options());
     progress.add(1);
   }
   results.summary = results.results;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "experiments/convex_approximation/growth.h"
+#include "experiments/convex_approximation/model_pictures.h"
 #include "experiments/report/html.h"
 
 namespace lode::experiments {
@@ -92,6 +93,24 @@ std::string growth(const std::vector<Row>& summary) {
   return {};
 }
 
+std::string pictures(const FoundResults& found, const std::vector<Row>& rows) {
+  std::string html, last;
+  for (const Row& row : rows) {
+    const std::string model = row.text("model"), name = found.images + "/" + model;
+    const std::string hulls = model == last ? "" : html_image(name + kHullsPicture, model + " and its hulls");
+    last = model;
+    if (hulls.empty()) continue;
+    html += "<figure>" + hulls + "<figcaption>" + escaped(model) +
+            ": the model, and its hulls at levels 1 and 2, a colour each</figcaption></figure>\n";
+    if (const std::string boxes = html_image(name + kBoxesPicture, model + " and its inner boxes"); !boxes.empty()) {
+      html += "<figure>" + boxes + "<figcaption>" + escaped(model) +
+              ": the model, and inner boxes, which the rival uses</figcaption></figure>\n";
+    }
+  }
+  return html.empty() ? html
+                      : "<details><summary>Pictures of the models and their hulls</summary>" + html + "</details>\n";
+}
+
 }  // namespace
 
 std::string convex_approximation_section(const FoundResults& found) {
@@ -101,22 +120,22 @@ std::string convex_approximation_section(const FoundResults& found) {
       {"distinct", "vertices"}, {"sum", "sum over hulls"}, {"error_percent", "error %", 2}};
   const std::vector<Column> columns = {{"model", "model"},
                                        {"level", "level"},
-                                       {"paper_hulls", "paper: hulls"},
-                                       {"paper_vertices", "vertices"},
-                                       {"paper_error", "error %", 2},
-                                       {"hulls", "ours: hulls"},
-                                       {"distinct", "vertices"},
-                                       {"error_percent", "error %", 2},
+                                       {"paper_hulls", "paper's hulls"},
+                                       {"paper_vertices", "paper's vertices"},
+                                       {"paper_error", "paper's error %", 2},
+                                       {"hulls", "our hulls"},
+                                       {"distinct", "our vertices"},
+                                       {"error_percent", "our error %", 2},
                                        {"over_axes_percent", "axes: too much %", 1},
-                                       {"under_axes_percent", "too little %", 1},
+                                       {"under_axes_percent", "axes: too little %", 1},
                                        {"over_random_percent", "anywhere: too much %", 1},
-                                       {"under_random_percent", "too little %", 1}};
+                                       {"under_random_percent", "anywhere: too little %", 1}};
   const std::vector<Column> times = {{"model", "model"},           {"seconds", "seconds", 2},
                                      {"weld_s", "welding", 3},     {"area_s", "silhouettes", 3},
                                      {"cluster_s", "clusters", 3}, {"partition_s", "way down", 3},
                                      {"hulls_s", "hulls", 3}};
   const std::vector<Row> all = beside_the_paper(found.summary), rows = main_reading(all);
-  return std::string(kExplanation) + findings(rows) + html_table(rows, columns) +
+  return std::string(kExplanation) + findings(rows) + html_table(rows, columns) + pictures(found, rows) +
          "<details><summary>Other readings of the paper</summary>" + kReadings + html_table(all, readings) +
          "</details>\n<h3>Time to make them</h3>\n" + growth(found.summary) +
          html_table(main_reading(found.times), times);

@@ -10,9 +10,9 @@
 
 namespace lode::experiments {
 
-/// For each of the methods' falsely culled samples (at pixel centres) of the case: a row a method, with frames looked
-/// at and false_px of each cause. Only "convex_culling" methods without the renderer's skips are asked.
-///   variants  makes the same method with other settings, prepared on the same world
+/// For each of the methods' falsely culled samples (at pixel centres) of the case: a row a method, with the number of
+/// frames that have any and the samples of each of kCauses (names.h).
+///   methods  names of "convex_culling" with any settings but those that are taken back, without the renderer's skips
 [[nodiscard]] std::vector<Row> attributed_losses(const CullingCase& one, const CaseResult& result,
                                                  const techniques::World& world,
                                                  const std::vector<std::string>& methods,

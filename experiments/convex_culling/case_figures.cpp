@@ -2,31 +2,26 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "experiments/convex_culling/method_rows.h"
+#include "experiments/convex_culling/names.h"
+#include "experiments/file_bytes.h"
+#include "experiments/harness/method.h"
 #include "experiments/report/gnuplot.h"
 #include "experiments/report/html.h"
 
 namespace lode::experiments {
 namespace {
 
-constexpr std::string_view kWithSkips = " + skips", kWhole = ".whole.png";
+constexpr std::string_view kWhole = ".whole.png";
 
 /// Few enough to be told apart.
-constexpr const char* kCurves[] = {"frustum_culling", "oracle", "hierarchical_z", "inner_boxes",
-                                   "convex_culling:mode=safe"};
+constexpr std::string_view kCurves[] = {kBaseline, kOracle, "hierarchical_z", "inner_boxes", kPaper};
 
 constexpr const char* kLegend =
     "<p class=\"keys\"><span><i class=\"seen\"></i>drawn, and seen</span> <span><i class=\"kept\"></i>drawn in vain"
     "</span> <span><i class=\"culled\"></i>culled rightly</span> <span><i class=\"lost\"></i>culled, but seen</span> "
     "<span><i class=\"out\"></i>out of view</span></p>";
-
-std::string file_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 std::string picture(const std::string& file, const std::string& caption) {
   return "<figure>" + html_image(file, caption) + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
@@ -37,6 +32,19 @@ std::string plot(const Plot& plot, const std::string& caption) {
          "</figcaption></figure>\n";
 }
 
+/// What the rivals cull in the same view.
+std::string rivals_from_above(const std::string& name) {
+  std::string html;
+  for (const char* rival : kRivals) {
+    const std::string svg = file_bytes(name + "." + rival + ".top.svg").value_or("");
+    if (!svg.empty())
+      html += "<figure>" + svg + "<figcaption>" + escaped(spoken_name(rival)) + "</figcaption></figure>";
+  }
+  if (html.empty()) return html;
+  return "<details><summary>What its rivals cull in this view, from above</summary><div class=\"three\">" + html +
+         "</div></details>\n";
+}
+
 /// `name`: of its files, without what tells them apart. `frame`: as `lodestone render` takes it.
 std::string pictures_of_view(const std::string& name, const std::string& scene, const std::string& path,
                              const std::string& frame) {
@@ -45,15 +53,16 @@ std::string pictures_of_view(const std::string& name, const std::string& scene, 
   if (lost) {
     html += html_slider(name + std::string(kWhole), name + ".drawn.png",
                         "View " + frame + ". Left: everything. Right: convex culling, safe.");
-    html += picture(name + ".difference.png", "What was lost, in red");
+    html += picture(name + ".difference.png", "What was lost, in red, framed");
     html += picture(name + ".flip.png",
                     "What a person sees of it: FLIP, from black (nothing) over purple and orange to yellow (most)");
   } else {
     html += picture(name + std::string(kWhole),
                     "View " + frame + ". Convex culling, safe, draws the same picture to the byte.");
   }
-  html += "<figure>" + file_text(name + ".top.svg") + "<figcaption>The same view from above: objects, by their boxes" +
-          kLegend + "</figcaption></figure></div>\n";
+  html += "<figure>" + file_bytes(name + ".top.svg").value_or("") +
+          "<figcaption>The same view from above: objects, by their boxes" + kLegend + "</figcaption></figure></div>\n";
+  html += rivals_from_above(name);
   if (path == kRandomViewpoints) return html;
   return html + "<p class=\"again\">Again: <code>" +
          escaped("lodestone render " + scene + " --camera \"" + path + " " + frame +
@@ -73,16 +82,16 @@ std::string time_against_error(const std::vector<Row>& summary) {
   for (const Row& row : summary) {
     const std::string method = row.text("method");
     const bool skips = method.ends_with(kWithSkips);
-    const std::string base = skips ? method.substr(0, method.size() - kWithSkips.size()) : method;
+    const std::string base(without_skips(method));
     auto known = std::find(methods.begin(), methods.end(), base);
     if (known == methods.end()) {
       known = methods.insert(known, base);
-      list += (list.empty() ? "" : ", ") + std::to_string(methods.size()) + " " + spoken_name(base);
+      list += (list.empty() ? "" : "; ") + std::to_string(methods.size()) + " " + spoken_name(base);
     }
     PlotSeries& series = skips ? on : off;
     series.x.push_back(row.number("frame_ms_mean")), series.y.push_back(row.number("false_percent"));
     // The oracle is a bound, not to be beaten.
-    if (base != "oracle") x.push_back(series.x.back()), y.push_back(series.y.back());
+    if (base != kOracle) x.push_back(series.x.back()), y.push_back(series.y.back());
     series.labels.push_back(std::to_string(known - methods.begin() + 1));
   }
   for (const std::size_t i : pareto_front(x, y)) front.x.push_back(x[i]), front.y.push_back(y[i]);
@@ -93,7 +102,8 @@ std::string time_against_error(const std::vector<Row>& summary) {
 
 std::string times_along_the_walk(const std::vector<Row>& times) {
   Plot curves{.x_title = "frame of the walk", .y_title = "ms a frame", .height = 300, .series = {}};
-  for (const char* method : kCurves) {
+  for (const std::string_view name : kCurves) {
+    const std::string method(name);
     PlotSeries series{.title = spoken_name(method), .x = {}, .y = {}};
     for (const Row& row : rows_with(times, "method", method)) {
       series.x.push_back(row.number("frame")), series.y.push_back(row.number("frame_ms"));

@@ -8,9 +8,6 @@
 
 namespace lode::experiments {
 
-/// The path of a case that is no walk.
-inline constexpr const char* kRandomViewpoints = "random viewpoints";
-
 /// Run time against error, a point a method, with the front of those that nothing beats in both.
 [[nodiscard]] std::string time_against_error(const std::vector<Row>& summary);
 

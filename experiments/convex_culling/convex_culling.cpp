@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "experiments/convex_culling/attribution.h"
+#include "experiments/convex_culling/finished_case.h"
+#include "experiments/convex_culling/names.h"
 #include "experiments/convex_culling/section.h"
 #include "experiments/convex_culling/summary.h"
 #include "experiments/harness/case_pictures.h"
 #include "experiments/harness/culling_case.h"
 #include "experiments/harness/scene_hash.h"
+#include "experiments/harness/true_error.h"
 #include "experiments/progress.h"
-#include "experiments/report/html.h"
 #include "experiments/scenes/builtin_scene.h"
 #include "experiments/whole_file.h"
 #include "geometry/viewpoints.h"
@@ -23,26 +23,24 @@ namespace lode::experiments {
 namespace {
 
 /// Each with the renderer's occlusion skipping off, then with it.
-constexpr const char* kMethods[] = {"plain",
-                                    "frustum_culling",
-                                    "oracle",
-                                    "hierarchical_z",
-                                    "masked_occlusion",
-                                    "masked_occlusion:shape=inner_boxes",
-                                    "inner_boxes",
-                                    "convex_culling:mode=literal",
-                                    "convex_culling:mode=safe",
-                                    "convex_culling:mode=conservative"};
-
-/// Whose pictures are kept: the frame of each walk in which it loses the most.
-constexpr const char* kShownMethod = "convex_culling:mode=safe";
+constexpr std::string_view kMethods[] = {kEverything,
+                                         kBaseline,
+                                         kOracle,
+                                         "hierarchical_z",
+                                         "masked_occlusion",
+                                         "masked_occlusion:shape=inner_boxes",
+                                         "inner_boxes",
+                                         "convex_culling:mode=literal",
+                                         kPaper,
+                                         "convex_culling:mode=conservative"};
 
 /// Whose losses are traced to their causes.
-constexpr std::array kAttributed = {"convex_culling:mode=literal", "convex_culling:mode=safe"};
+constexpr std::array kAttributed = {"convex_culling:mode=literal", kPaper};
 
 /// How much of a walk the quick size looks at.
 constexpr int kQuickFrames = 10, kQuickViewpoints = 8, kFullViewpoints = 1000;
 constexpr int kQuickRounds = 3, kFullRounds = 5;
+constexpr int kQuickTruths = 1, kFullTruths = 4;
 
 /// What a run may choose: -1 is what its size has.
 constexpr double kOfSize = -1.0;
@@ -59,6 +57,7 @@ std::vector<Parameter> parameters() {
   return {choice_parameter("scene", "one alone, or all that there are", std::move(scenes), 0),
           number("frames", "looked at of each walk, at most", 1e6),
           number("viewpoints", "random ones in each scene", 1e6),
+          number("truths", "views of each walk held against the true picture", 1e6),
           number("rounds", "timed, of all methods in turn; 0: nothing is timed", 1000)};
 }
 
@@ -89,7 +88,7 @@ std::vector<CullingCase> cases_of(const geometry::Scene& scene, const Experiment
     for (const std::uint32_t frame : one.frames) one.cameras.push_back(geometry::camera_at(path, int(frame)));
   }
   CullingCase& random = cases.emplace_back(base);
-  random.path = "random viewpoints";
+  random.path = kRandomViewpoints;
   random.cameras =
       geometry::random_viewpoints(scene, run.seed, chosen(run, "viewpoints", kQuickViewpoints, kFullViewpoints));
   for (std::uint32_t k = 0; k < random.cameras.size(); ++k) random.frames.push_back(k);
@@ -99,49 +98,40 @@ std::vector<CullingCase> cases_of(const geometry::Scene& scene, const Experiment
 
 std::vector<Method> methods() {
   std::vector<Method> all;
-  for (const char* name : kMethods) {
+  for (const std::string_view name : kMethods) {
     all.push_back(make_method(name));
-    all.push_back(make_method(std::string(name) + " + skips"));
+    all.push_back(make_method(std::string(name) + std::string(kWithSkips)));
   }
   return all;
 }
 
 /// What a finished case depends on, beside the program itself.
-std::string key_of(const CullingCase& one, const ExperimentRun& run) {
-  std::string key = "convex_culling case 4; " + one.scene + "; " + one.scene_hash + "; " + one.path + "; seed " +
-                    std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; threads " +
+std::string key_of(const CullingCase& one, const std::string& look, const ExperimentRun& run) {
+  std::string key = "convex_culling case 6; " + one.scene + "; " + one.scene_hash + "; look " + look + "; " + one.path +
+                    "; seed " + std::to_string(run.seed) + "; rounds " + std::to_string(one.n_rounds) + "; truths " +
+                    std::to_string(chosen(run, "truths", kQuickTruths, kFullTruths)) + "; threads " +
                     std::to_string(run.common.threads) + "; frames " + std::to_string(one.frames.size()) + ";";
   for (const Method& method : methods()) key += " " + settings_of(method) + ";";
   return key;
 }
 
-/// A case's rows and its pictures' files, as text and back.
-struct FinishedCase {
-  CaseResult result;
-  std::vector<Row> files;  ///< name, bytes (base64)
-};
-std::string text_of(const FinishedCase& one) {
-  return rows_json(one.result.results) + "\n" + rows_json(one.result.times) + "\n" + rows_json(one.result.losses) +
-         "\n" + rows_json(one.files);
-}
-bool read_case(std::string_view text, FinishedCase& one) {
-  for (std::vector<Row>* rows : {&one.result.results, &one.result.times, &one.result.losses, &one.files}) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    if (!rows_of(text.substr(0, end), *rows)) return false;
-    text.remove_prefix(std::min(end + 1, text.size()));
+/// The views whose pictures are held against the truth: the telling one, then others spread over the walk.
+std::vector<std::size_t> views_with_truth(const CullingCase& one, std::size_t telling, int n) {
+  std::vector<std::size_t> views;
+  if (n > 0) views.push_back(telling);
+  const std::size_t n_spread = std::min(std::size_t(n), one.frames.size());
+  for (std::size_t k = 1; k < n_spread; ++k) {
+    const std::size_t view = k * one.frames.size() / n_spread;
+    if (std::find(views.begin(), views.end(), view) == views.end()) views.push_back(view);
   }
-  return true;
-}
-
-std::string bytes_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return views;
 }
 
 /// A scene's world and the methods prepared on it, made when the first case needs them.
 class SceneBench {
  public:
-  SceneBench(const geometry::Scene& scene, const ExperimentRun& run) : scene_(scene), run_(run) {}
+  SceneBench(const geometry::Scene& scene, const std::string& look, const ExperimentRun& run)
+      : scene_(scene), look_(look), run_(run) {}
 
   FinishedCase run(const CullingCase& one) {
     prepare();
@@ -156,17 +146,26 @@ class SceneBench {
                                             run_.common.render_options())) {
       finished.result.losses.push_back(row);
     }
-    const auto shown = std::find_if(methods_.begin(), methods_.end(),
-                                    [](const auto& method) { return method->method().name == kShownMethod; });
-    const std::size_t frame = telling_frame(one, finished.result, kShownMethod);
-    for (const std::string& name :
-         write_case_pictures(one, frame, *world_, **shown, run_.common.render_options(), run_.images)) {
-      finished.files.emplace_back().add("name", name).add("bytes", base64(bytes_of(run_.images + "/" + name)));
+    const std::size_t frame = telling_frame(one, finished.result, kPaper);
+    for (const std::size_t view : views_with_truth(one, frame, chosen(run_, "truths", kQuickTruths, kFullTruths))) {
+      add_true_errors(one, view, *world_, look_, pointers, run_.kept, run_.common.render_options(), finished.result);
     }
+    std::vector<PreparedMethod*> rivals;
+    for (const char* name : kRivals) rivals.push_back(method_of(name));
+    add_files(
+        run_.images,
+        write_case_pictures(one, frame, *world_, *method_of(kPaper), rivals, run_.common.render_options(), run_.images),
+        finished);
     return finished;
   }
 
  private:
+  /// One of kMethods.
+  [[nodiscard]] PreparedMethod* method_of(std::string_view name) const {
+    return std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return m->method().name == name; })
+        ->get();
+  }
+
   void prepare() {
     if (world_) return;
     const std::vector<Method> all = methods();
@@ -182,6 +181,7 @@ class SceneBench {
   }
 
   const geometry::Scene& scene_;
+  const std::string& look_;
   const ExperimentRun& run_;
   std::unique_ptr<techniques::World> world_;
   std::vector<std::unique_ptr<PreparedMethod>> methods_;
@@ -192,22 +192,16 @@ void add(const CaseResult& from, ExperimentResults& to) {
   to.times.insert(to.times.end(), from.times.begin(), from.times.end());
 }
 
-void write_file(const std::string& path, const std::string& bytes_base64) {
-  const std::string bytes = from_base64(bytes_base64);
-  WholeFile file(path);
-  file.file().write(bytes.data(), bytes.size());
-  publish({&file});
-}
-
 void run_scene(const std::string& name, const ExperimentRun& run, ExperimentResults& results) {
   const geometry::Scene scene = make_builtin_scene(name);
-  SceneBench bench(scene, run);
+  const std::string look = look_hash_of(scene);
+  SceneBench bench(scene, look, run);
   for (const CullingCase& one : cases_of(scene, run)) {
-    const std::string key = key_of(one, run);
+    const std::string key = key_of(one, look, run);
     FinishedCase finished;
     const std::optional<std::string> kept = run.kept.find(key);
     if (kept && read_case(*kept, finished)) {
-      for (const Row& file : finished.files) write_file(run.images + "/" + file.text("name"), file.text("bytes"));
+      write_files(finished, run.images);
     } else {
       finished = bench.run(one);
       run.kept.keep(key, text_of(finished));

@@ -1,23 +1,14 @@
 #include "experiments/convex_culling/method_rows.h"
 
 #include <algorithm>
-#include <array>
 
+#include "experiments/convex_culling/names.h"
 #include "experiments/convex_culling/summary.h"
+#include "experiments/harness/method.h"
 #include "experiments/report/html.h"
 
 namespace lode::experiments {
 namespace {
-
-constexpr std::string_view kWithSkips = " + skips";
-constexpr const char *kPaper = "convex_culling:mode=safe", *kOracle = "oracle", *kBaseline = "frustum_culling";
-
-struct Cause {
-  const char *column, *words;
-};
-constexpr std::array kCauses = {Cause{"depth_px", "by the missing depth rule"},
-                                Cause{"snapping_px", "by corners moved to slabs"},
-                                Cause{"bulge_px", "by hulls that bulge out of models"}};
 
 const Row* row_of(const std::vector<Row>& rows, std::string_view method) {
   const auto found =
@@ -58,7 +49,8 @@ const Row* fastest_without_loss(const std::vector<Row>& summary) {
   const Row* best = nullptr;
   for (const Row& row : summary) {
     const std::string method = row.text("method");
-    const bool decides = method != "plain" && method != kBaseline && method != kOracle && !method.ends_with(kWithSkips);
+    const bool decides =
+        method != kEverything && method != kBaseline && method != kOracle && !method.ends_with(kWithSkips);
     if (!decides || row.number("false_px") > 0.0) continue;
     if (best == nullptr || row.number("speedup") > best->number("speedup")) best = &row;
   }

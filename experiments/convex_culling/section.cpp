@@ -5,6 +5,9 @@
 
 #include "experiments/convex_culling/case_figures.h"
 #include "experiments/convex_culling/method_rows.h"
+#include "experiments/convex_culling/names.h"
+#include "experiments/convex_culling/truth_table.h"
+#include "experiments/harness/method.h"
 #include "experiments/report/html.h"
 #include "experiments/scenes/builtin_scene.h"
 #include "experiments/technique_list.h"
@@ -18,11 +21,14 @@ renderer then draws the rest at 640&nbsp;&times;&nbsp;480. How the tables are re
 <ul>
 <li><b>Times faster</b> than frustum culling, which leaves out only what is beside the view. &ldquo;With skips&rdquo;: the
 renderer, too, skips clusters of triangles behind what it has drawn; held against the same frustum culling without.</li>
-<li><b>Own ms</b>: what deciding takes, of a frame. <b>Own % of saved</b>: of the time that the method saves the renderer.</li>
+<li><b>Own ms</b>: what deciding takes, of a frame. <b>Own % of saved</b>: of the time that the method saves the renderer, if it saves any.</li>
 <li><b>Culled %</b>: of objects in view that own no pixel, and so could be left out.</li>
 <li><b>False</b> is what was left out and can be seen: objects, pixels (samples at their centres), samples at 4&nbsp;&times;&nbsp;4
 places in every pixel, and at random places. A method that promises to be conservative where <em>sampled</em> must lose nothing
 at the centres; where <em>continuous</em>, nothing anywhere.</li>
+<li><b>FLIP to truth</b>: how much a person sees of the difference (0 to 1) between a method's pictures and true ones, of 8&nbsp;&times;&nbsp;8
+samples a pixel, in one view of each walk. A picture in which nothing is culled has an error, too, by aliasing: only what a
+method adds to it is lost by culling.</li>
 <li>Losses of the paper's technique are traced to a <b>cause</b>: rules are taken back one after the other until the object
 comes back.</li>
 </ul>
@@ -37,7 +43,8 @@ const std::vector<Column> kOverall = {{"name", "method"},
                                       {"culled_percent", "culled %", 1},
                                       {"false_percent", "false % of px", 4},
                                       {"false_samples_4x4", "false at 4×4"},
-                                      {"pictures_that_differ", "pictures that differ"}};
+                                      {"pictures_that_differ", "pictures that differ"},
+                                      {"flip_true", "FLIP to truth", 5}};
 
 const std::vector<Column> kColumns = {{"name", "method"},
                                       {"frame_ms_median", "ms, median", 2},
@@ -68,7 +75,7 @@ std::string what_methods_do(const std::vector<Row>& summary) {
     const std::string name = method.substr(0, method.find_first_of(": "));
     if (std::find(said.begin(), said.end(), name) != said.end()) continue;
     said.push_back(name);
-    std::string words = name == "oracle" ? "Draws just what can be seen, told for nothing: a bound, no technique" : "";
+    std::string words = name == kOracle ? "Draws just what can be seen, told for nothing: a bound, no technique" : "";
     for (const TechniqueEntry& entry : technique_list()) {
       if (entry.name == name) words = entry.summary;
     }
@@ -102,7 +109,8 @@ std::string section_of_walk(const FoundResults& found, const std::string& scene,
   const std::vector<Row> rows = with_skips_beside(summary);
   html += html_table(rows, kColumns) + causes(rows) + time_against_error(summary);
   if (path != kRandomViewpoints) html += times_along_the_walk(times);
-  return html + case_pictures(found, scene, path) + again(found.command + " --set scene=" + scene);
+  return html + case_pictures(found, scene, path) + truth_table(summary) +
+         again(found.command + " --set scene=" + scene);
 }
 
 }  // namespace

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/convex_culling/names.h"
+#include "experiments/harness/method.h"
+
 namespace lode::experiments {
 namespace {
-
-constexpr std::string_view kBaseline = "frustum_culling";
 
 std::vector<const Row*> rows_of_method(const std::vector<Row>& rows, const std::string& method) {
   std::vector<const Row*> of;
@@ -35,6 +36,19 @@ std::int64_t count_if_positive(const std::vector<const Row*>& rows, std::string_
   return std::count_if(rows.begin(), rows.end(), [&](const Row* row) { return row->number(column) > 0.0; });
 }
 
+/// Of the views that were held against the truth. Where pictures are equal there is no PSNR.
+void add_true_means(const std::vector<const Row*>& rows, Row& row) {
+  const auto n_with = [&](const char* column) {
+    return std::count_if(rows.begin(), rows.end(), [&](const Row* r) { return r->find(column) != nullptr; });
+  };
+  const auto n_views = std::int64_t(n_with("flip_true"));
+  if (n_views == 0) return;
+  row.add("true_views", n_views);
+  for (const char* column : {"flip_true", "psnr_true_db", "flip_whole", "psnr_whole_db"}) {
+    if (const auto n = n_with(column); n > 0) row.add(column, sum(rows, column) / double(n));
+  }
+}
+
 }  // namespace
 
 void add_summary(const CaseResult& result, std::vector<Row>& summary) {
@@ -43,7 +57,7 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     const std::string name = row.text("method");
     if (std::find(methods.begin(), methods.end(), name) == methods.end()) methods.push_back(name);
   }
-  const double baseline_ms = sum(rows_of_method(result.times, std::string(kBaseline)), "frame_ms");
+  const double baseline_ms = sum(rows_of_method(result.times, kBaseline), "frame_ms");
   for (const std::string& method : methods) {
     const auto found = rows_of_method(result.results, method), times = rows_of_method(result.times, method);
     const double ms = sum(times, "frame_ms"), own_ms = sum(times, "technique_ms");
@@ -65,7 +79,9 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     row.add("frame_ms_p99", quantile(times, "frame_ms", 0.99)).add("technique_ms_mean", own_ms / n_times);
     row.add("speedup", ms > 0.0 ? baseline_ms / ms : 0.0);
     const double saved_ms = baseline_ms - (ms - own_ms);
-    row.add("own_percent_of_saved", saved_ms > 0.0 ? 100.0 * own_ms / saved_ms : 0.0);
+    if (saved_ms > 0.0 && without_skips(method) != kBaseline) {
+      row.add("own_percent_of_saved", 100.0 * own_ms / saved_ms);
+    }
     row.add("culled_percent", could > 0.0 ? 100.0 * rightly / could : 0.0);
     row.add("false_frames", count_if_positive(found, "false_px"))
         .add("false_objects", std::int64_t(sum(found, "false_objects")));
@@ -74,9 +90,9 @@ void add_summary(const CaseResult& result, std::vector<Row>& summary) {
     row.add("false_samples_4x4", std::int64_t(sum(found, "false_samples_4x4")));
     row.add("false_samples_random", std::int64_t(sum(found, "false_samples_random")));
     row.add("pictures_that_differ", differ);
+    add_true_means(found, row);
     for (const Row* losses : rows_of_method(result.losses, method)) {
-      for (const char* cause : {"depth_px", "snapping_px", "bulge_px"})
-        row.add(cause, std::int64_t(losses->number(cause)));
+      for (const Cause& cause : kCauses) row.add(cause.column, std::int64_t(losses->number(cause.column)));
     }
   }
 }

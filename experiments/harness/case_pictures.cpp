@@ -5,13 +5,14 @@
 #include <charconv>
 #include <numeric>
 
+#include "experiments/display_bytes.h"
+#include "experiments/harness/sky.h"
 #include "experiments/harness/visible_samples.h"
 #include "experiments/metrics/flip/flip.h"
 #include "experiments/metrics/magma.h"
 #include "experiments/whole_file.h"
 #include "geometry/image_file.h"
 #include "raster/render.h"
-#include "raster/srgb.h"
 #include "techniques/objects_in_view.h"
 
 namespace lode::experiments {
@@ -22,7 +23,18 @@ using techniques::ObjectId;
 /// What covers more than this of the scene is ground, which would hide all else from above.
 constexpr double kGroundShare = 0.5;
 
-constexpr glm::vec4 kSky{0.35f, 0.5f, 0.65f, 1.0f};  // linear
+constexpr glm::u8vec4 kFrameColor{255, 210, 60, 255};
+
+/// Of top views, and of their keys in a page that holds one.
+constexpr const char* kTopStyle = R"(<style>
+.seen { --key: #2da44e; } .kept { --key: #e0a000; } .culled { --key: #54aeff; } .lost { --key: #e02030; }
+.out { --key: #888a; }
+.top { background: #8881; }
+.top rect { fill: var(--key); stroke: var(--key); stroke-width: 1; fill-opacity: .55; vector-effect: non-scaling-stroke; }
+.top .out { fill-opacity: .2; } .top .lost { fill-opacity: 1; stroke-width: 4; }
+.top .view { fill: #8884; } .top .eye { fill: currentColor; stroke: #888; }
+</style>
+)";
 
 std::string one_digit(double value) {
   std::array<char, 64> text;
@@ -44,29 +56,36 @@ std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, dou
          one_digit((box.high.z - box.low.z) * scale) + "\"/>\n";
 }
 
-std::vector<glm::u8vec4> display_of(const raster::Image& image) {
-  std::vector<glm::u8vec4> bytes;
-  bytes.reserve(image.rgba32f.size());
-  for (const glm::vec4& c : image.rgba32f) bytes.push_back(raster::srgb8_from_linear(c));
-  return bytes;
-}
-
 void write_png(const std::string& path, glm::ivec2 size_px, std::span<const glm::u8vec4> colors) {
   WholeFile file(path);
   geometry::write_color(file.file(), geometry::ImageFormat::png, size_px, colors);
   publish({&file});
 }
 
-/// The whole picture, dark; samples of objects that are missing, bright red.
+/// A frame around what may be a few pixels, this far from them.
+constexpr int kFrameDistance_px = 6;
+void draw_frame(glm::ivec2 size_px, const glm::ivec2& low, const glm::ivec2& high, std::vector<glm::u8vec4>& bytes) {
+  const glm::ivec2 a = glm::max(low - kFrameDistance_px, 0), b = glm::min(high + kFrameDistance_px, size_px - 1);
+  const auto set = [&](int x, int y) { bytes[std::size_t(y) * std::size_t(size_px.x) + std::size_t(x)] = kFrameColor; };
+  for (int x = a.x; x <= b.x; ++x) set(x, a.y), set(x, b.y);
+  for (int y = a.y; y <= b.y; ++y) set(a.x, y), set(b.x, y);
+}
+
+/// The whole picture, dark; samples of objects that are missing, bright red, and framed.
 std::vector<glm::u8vec4> difference_of(const raster::Image& whole, const techniques::World& world,
                                        const PreparedMethod& method) {
-  std::vector<glm::u8vec4> bytes = display_of(whole);
+  std::vector<glm::u8vec4> bytes = display_bytes(whole.rgba32f);
+  glm::ivec2 low = whole.size_px, high(-1);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const std::uint32_t draw = whole.ids[i].draw;
     const bool lost = draw != raster::kNoId && !method.stage().drawn(world.object_of(draw));
     const int grey = (bytes[i].r + bytes[i].g + bytes[i].b) / 9;
     bytes[i] = lost ? glm::u8vec4(255, 40, 40, 255) : glm::u8vec4(grey, grey, grey, 255);
+    if (!lost) continue;
+    const glm::ivec2 p(int(i) % whole.size_px.x, int(i) / whole.size_px.x);
+    low = glm::min(low, p), high = glm::max(high, p);
   }
+  if (high.x >= 0) draw_frame(whole.size_px, low, high, bytes);
   return bytes;
 }
 
@@ -93,8 +112,8 @@ std::string top_view(const techniques::World& world, const geometry::Camera& cam
   std::vector<bool> in_view(world.objects().size(), false);
   for (const ObjectId id : inside) in_view[id] = true;
 
-  std::string svg =
-      "<svg class=\"top\" viewBox=\"0 0 " + one_digit(size.x * scale) + " " + one_digit(size.y * scale) + "\">\n";
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"top\" viewBox=\"0 0 " +
+                    one_digit(size.x * scale) + " " + one_digit(size.y * scale) + "\">\n" + kTopStyle;
   // Large things lie below small ones, and what is lost above all.
   std::vector<ObjectId> order(world.objects().size());
   std::iota(order.begin(), order.end(), ObjectId{0});
@@ -126,24 +145,22 @@ std::string top_view(const techniques::World& world, const geometry::Camera& cam
 }
 
 std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t frame, const techniques::World& world,
-                                             PreparedMethod& method, const raster::RenderOptions& options,
-                                             const std::string& folder) {
+                                             PreparedMethod& method, std::span<PreparedMethod* const> rivals,
+                                             const raster::RenderOptions& options, const std::string& folder) {
   const techniques::View view{.camera = one.cameras[frame], .size_px = one.size_px};
   raster::Image whole = raster::make_image(one.size_px, raster::ColorFormat::rgba32f), drawn = whole;
   const auto draws = world.draws().draws(view.camera, view.size_px);
   raster::render({.draws = draws, .clear = kSky, .viewport = {}, .scissor = {}}, whole, options);
   static_cast<void>(method.draw(view, drawn, kSky));
   std::vector<std::uint32_t> owned(world.objects().size(), 0);
-  for (const raster::Ids& ids : whole.ids) {
-    if (ids.draw != raster::kNoId) ++owned[world.object_of(ids.draw)];
-  }
+  add_owned_samples(whole, world, owned);
   const std::string name = one.scene + "." + one.path + "." + std::to_string(one.frames[frame]);
   std::vector<std::string> files;
   const auto write = [&](const char* kind, std::span<const glm::u8vec4> colors) {
     files.push_back(name + kind);
     write_png(folder + "/" + files.back(), one.size_px, colors);
   };
-  const std::vector<glm::u8vec4> reference = display_of(whole), shown = display_of(drawn);
+  const std::vector<glm::u8vec4> reference = display_bytes(whole.rgba32f), shown = display_bytes(drawn.rgba32f);
   write(".whole.png", reference);
   if (reference != shown) {
     write(".drawn.png", shown);
@@ -151,11 +168,15 @@ std::vector<std::string> write_case_pictures(const CullingCase& one, std::size_t
     const PicturePair pair{one.size_px, reference, shown};
     write(".flip.png", magma_picture(flip_map(pair, {.threads = options.threads}).errors));
   }
-  files.push_back(name + ".top.svg");
-  WholeFile top(folder + "/" + files.back());
-  const std::string svg = top_view(world, view.camera, view.size_px, method, owned);
-  top.file().write(svg.data(), svg.size());
-  publish({&top});
+  const auto write_top = [&](const std::string& kind, const PreparedMethod& of) {
+    files.push_back(name + kind + ".top.svg");
+    write_whole_file(folder + "/" + files.back(), top_view(world, view.camera, view.size_px, of, owned));
+  };
+  write_top("", method);
+  for (PreparedMethod* rival : rivals) {
+    static_cast<void>(rival->draw(view, drawn, kSky));
+    write_top("." + rival->method().name, *rival);
+  }
   return files;
 }
 

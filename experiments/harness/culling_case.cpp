@@ -6,8 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "experiments/harness/view_key.h"
 #include "experiments/harness/visible_samples.h"
-#include "experiments/parameter.h"
 #include "raster/render.h"
 #include "techniques/objects_in_view.h"
 
@@ -30,16 +30,9 @@ double median(std::vector<double> values) {
   return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
-std::string key_of(const CullingCase& one, std::size_t i) {
-  const geometry::Camera& c = one.cameras[i];
-  std::string key = "visible samples 1; contract " + std::to_string(raster::kPixelContract) + "; scene " +
-                    one.scene_hash + "; size " + std::to_string(one.size_px.x) + "x" + std::to_string(one.size_px.y) +
-                    "; seed " + std::to_string(one.seed) + "; view " + std::to_string(one.frames[i]) + "; camera";
-  for (const glm::dvec3& v : {c.eye, c.right, c.up, c.back}) {
-    for (int axis = 0; axis < 3; ++axis) key += " " + number_text(v[axis]);
-  }
-  for (const double v : {c.tan_half_fov_y, c.near, c.far}) key += " " + number_text(v);
-  return key;
+std::string key_of(const CullingCase& one, std::size_t i, const techniques::View& view) {
+  return "visible samples 2; contract " + std::to_string(raster::kPixelContract) + "; scene " + one.scene_hash +
+         "; seed " + std::to_string(one.seed) + "; view " + std::to_string(one.frames[i]) + "; " + view_key(view);
 }
 
 class CaseRunner {
@@ -123,7 +116,7 @@ class CaseRunner {
  private:
   [[nodiscard]] VisibleSamples visible(std::size_t i, const techniques::View& view) const {
     const auto make = [&] { return text_of(visible_samples(world_, view, one_.seed, one_.frames[i], options_)); };
-    const std::string key = key_of(one_, i);
+    const std::string key = key_of(one_, i, view);
     VisibleSamples samples;
     if (read_visible_samples(truth_.get(key, make), world_.objects().size(), samples)) return samples;
     const std::string made = make();  // what was kept is of another scene by the same name

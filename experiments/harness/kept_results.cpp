@@ -1,11 +1,10 @@
 #include "experiments/harness/kept_results.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include "experiments/error.h"
+#include "experiments/file_bytes.h"
 #include "experiments/sha256.h"
 #include "experiments/whole_file.h"
 
@@ -31,8 +30,7 @@ std::string KeptResults::path_of(std::string_view key) const { return folder_ + 
 
 std::optional<std::string> KeptResults::find(std::string_view key) const {
   if (folder_.empty()) return std::nullopt;
-  std::ifstream file(path_of(key), std::ios::binary);
-  const std::string all{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::string all = file_bytes(path_of(key)).value_or("");
   const std::size_t begin = kMagic.size() + kHashLength, value = begin + key.size() + 1;
   if (all.size() < value || !all.starts_with(kMagic)) return std::nullopt;
   const std::string_view body = std::string_view(all).substr(begin);
@@ -46,10 +44,7 @@ void KeptResults::keep(std::string_view key, std::string_view value) const {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) throw Error(Status::bad_input, folder_ + ": cannot be made: " + error.message());
-  WholeFile file(path_of(key));
-  const std::string entry = entry_of(key, value);
-  file.file().write(entry.data(), entry.size());
-  publish({&file});
+  write_whole_file(path_of(key), entry_of(key, value));
 }
 
 std::string KeptResults::get(std::string_view key, const std::function<std::string()>& make) const {

@@ -8,19 +8,21 @@
 namespace lode::experiments {
 namespace {
 
-constexpr std::string_view kWithSkips = " + skips", kOracle = "oracle";
-
 double now_ms() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
 
+std::string_view without_skips(std::string_view method) {
+  return method.ends_with(kWithSkips) ? method.substr(0, method.size() - kWithSkips.size()) : method;
+}
+
 Method make_method(std::string_view text) {
-  const bool skips = text.ends_with(kWithSkips);
-  const std::string_view technique = skips ? text.substr(0, text.size() - kWithSkips.size()) : text;
+  const std::string_view technique = without_skips(text);
   const bool oracle = technique == kOracle;
-  return {std::string(text), read_technique("method", oracle ? "plain" : technique), oracle, skips};
+  return {std::string(text), read_technique("method", oracle ? "plain" : technique), oracle,
+          text.ends_with(kWithSkips)};
 }
 
 std::string settings_of(const Method& method) {
@@ -28,7 +30,7 @@ std::string settings_of(const Method& method) {
   for (const Parameter& p : method.technique.entry->parameters) {
     text += " " + p.name + "=" + value_text(p, method.technique.values.at(p.name));
   }
-  return text + (method.renderer_skips ? " + skips" : "");
+  return text + std::string(method.renderer_skips ? kWithSkips : "");
 }
 
 PreparedMethod::PreparedMethod(const Method& method, const techniques::World& world,

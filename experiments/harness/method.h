@@ -4,6 +4,7 @@
 /// leaves out whole objects can be faster.
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,10 +12,16 @@
 
 namespace lode::experiments {
 
+/// The method that is told what can be seen; and what follows a method's name if the renderer skips, too.
+inline constexpr std::string_view kOracle = "oracle", kWithSkips = " + skips";
+
+/// A method's name without kWithSkips.
+[[nodiscard]] std::string_view without_skips(std::string_view method);
+
 struct Method {
-  std::string name;  ///< of its rows: "convex_culling:mode=safe", with " + skips" if the renderer skips, too
+  std::string name;  ///< of its rows: "convex_culling:mode=safe", with kWithSkips if the renderer skips, too
   TechniqueChoice technique;
-  bool oracle = false;          ///< "oracle": the technique is not asked
+  bool oracle = false;          ///< kOracle: the technique is not asked
   bool renderer_skips = false;  ///< what is behind what was drawn (Skips::occlusion); all other skips are always on
 };
 

@@ -4,21 +4,14 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "experiments/parameter.h"
+#include "experiments/harness/view_key.h"
 
 namespace lode::experiments {
 namespace {
 
 std::string key_of(std::string_view look, const techniques::View& view) {
-  const geometry::Camera& c = view.camera;
-  std::string key = "true picture 1; contract " + std::to_string(raster::kPixelContract) + "; look " +
-                    std::string(look) + "; samples " + std::to_string(kTrueSamplesPerAxis) + "; size " +
-                    std::to_string(view.size_px.x) + "x" + std::to_string(view.size_px.y) + "; camera";
-  for (const glm::dvec3& v : {c.eye, c.right, c.up, c.back}) {
-    for (int axis = 0; axis < 3; ++axis) key += " " + number_text(v[axis]);
-  }
-  for (const double v : {c.tan_half_fov_y, c.near, c.far, view.time_s}) key += " " + number_text(v);
-  return key;
+  return "true picture 2; contract " + std::to_string(raster::kPixelContract) + "; look " + std::string(look) +
+         "; samples " + std::to_string(kTrueSamplesPerAxis) + "; " + view_key(view);
 }
 
 std::array<glm::ivec2, std::size_t(kTrueSamplesPerAxis) * kTrueSamplesPerAxis> samples() {
@@ -36,10 +29,11 @@ TruePicture drawn(const techniques::World& world, const techniques::View& view, 
   options.memory = nullptr;
   const auto places = samples();
   const std::vector<raster::Draw> draws = world.draws().draws(view.camera, view.size_px);
-  raster::Image image = raster::make_image(view.size_px, raster::ColorFormat::rgba32f,
-                                           {.color = true, .depth = false, .ids = false});
-  static_cast<void>(raster::render(
-      {.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}, .samples_fx8 = places}, image, options));
+  raster::Image image =
+      raster::make_image(view.size_px, raster::ColorFormat::rgba32f, {.color = true, .depth = false, .ids = false});
+  static_cast<void>(
+      raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}, .samples_fx8 = places},
+                     image, options));
   return {image.rgba32f.begin(), image.rgba32f.end()};
 }
 

@@ -24,9 +24,7 @@ class ItemBuffers {
     const glm::ivec2 samples[] = {sample_fx8};
     const raster::Frame frame{.draws = draws_, .clear = {}, .viewport = {}, .scissor = {}, .samples_fx8 = samples};
     static_cast<void>(raster::render(frame, image_, options_));
-    for (const raster::Ids& ids : image_.ids) {
-      if (ids.draw != raster::kNoId) ++owned[world_.object_of(ids.draw)];
-    }
+    add_owned_samples(image_, world_, owned);
   }
 
  private:
@@ -53,6 +51,12 @@ bool read_list(std::string_view& text, std::size_t n, std::vector<std::uint32_t>
 }
 
 }  // namespace
+
+void add_owned_samples(const raster::Image& image, const techniques::World& world, std::vector<std::uint32_t>& owned) {
+  for (const raster::Ids& ids : image.ids) {
+    if (ids.draw != raster::kNoId) ++owned[world.object_of(ids.draw)];
+  }
+}
 
 VisibleSamples visible_samples(const techniques::World& world, const techniques::View& view, std::uint64_t seed,
                                std::uint64_t view_number, const raster::RenderOptions& options) {

@@ -26,6 +26,10 @@ inline constexpr int kRandomOffsets = 8;
                                              std::uint64_t seed, std::uint64_t view_number,
                                              const raster::RenderOptions& options);
 
+/// Adds the pixels that each object owns in a picture with ids of the whole scene.
+///   owned  [objects]
+void add_owned_samples(const raster::Image& image, const techniques::World& world, std::vector<std::uint32_t>& owned);
+
 /// As text, to be kept; and back: false for a text that is not one, or is of another number of objects.
 [[nodiscard]] std::string text_of(const VisibleSamples& samples);
 [[nodiscard]] bool read_visible_samples(std::string_view text, std::size_t n_objects, VisibleSamples& samples);

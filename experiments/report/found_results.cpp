@@ -1,11 +1,10 @@
 #include "experiments/report/found_results.h"
 
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "experiments/error.h"
+#include "experiments/file_bytes.h"
 
 namespace lode::experiments {
 namespace {
@@ -13,9 +12,9 @@ namespace {
 using json = nlohmann::ordered_json;  // rows keep the order of their values
 
 std::string text_of_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(Status::bad_input, path + ": cannot be read: expected what lodestone run writes");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::optional<std::string> text = file_bytes(path);
+  if (!text) throw Error(Status::bad_input, path + ": cannot be read: expected what lodestone run writes");
+  return *std::move(text);
 }
 
 /// One line's cells; `at` goes to the next line.

@@ -24,7 +24,7 @@ struct Plot {
 };
 
 /// An SVG element for a page: no background, text in the page's colour; labels that would lie on another
-/// are moved up. Deterministic for one version of gnuplot.
+/// are joined, or moved up. Deterministic for one version of gnuplot.
 /// Throws Error (machine_failed) if gnuplot is not there or fails.
 [[nodiscard]] std::string svg_of(const Plot& plot);
 

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <iterator>
+
+#include "experiments/file_bytes.h"
 
 namespace lode::experiments {
 namespace {
@@ -18,11 +18,12 @@ constexpr const char* kStyle = R"(
   section { border-top: 1px solid var(--line); padding: 1.5rem 0; }
   nav a { margin-right: 1rem; white-space: nowrap; }
   .wide { overflow-x: auto; }
-  table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
+  table { border-collapse: separate; border-spacing: 0; font-size: .85rem; font-variant-numeric: tabular-nums; }
   th, td { padding: .2rem .6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+  td { white-space: nowrap; }
+  th:first-child, td:first-child { position: sticky; left: 0; background: Canvas; }
   th { font-weight: 600; }
   td.n, th.n { text-align: right; }
-  td.n, td:first-child { white-space: nowrap; }
   th { vertical-align: bottom; }
   figure { margin: 1rem 0; }
   figcaption { font-size: .85rem; opacity: .8; }
@@ -34,13 +35,7 @@ constexpr const char* kStyle = R"(
   .slider input { position: absolute; inset: auto 0 0 0; width: 100%; margin: 0; }
   pre { font: 13px/1.45 ui-monospace, monospace; background: var(--soft); padding: .75rem; overflow-x: auto; }
   .plot svg { width: 100%; min-width: 34rem; max-width: 52rem; }
-  .top { width: 100%; max-height: 30rem; background: var(--soft); }
-  .top rect { stroke-width: 1; vector-effect: non-scaling-stroke; }
-  .top .view { fill: #8884; } .top .eye { fill: currentColor; }
-  .seen { --key: #2da44e; } .kept { --key: #e0a000; } .culled { --key: #54aeff; } .lost { --key: #e02030; }
-  .out { --key: #888a; }
-  .top rect { fill: var(--key); stroke: var(--key); fill-opacity: .55; } .top .out { fill-opacity: .2; }
-  .top .lost { fill-opacity: 1; stroke-width: 4; }
+  .top { width: 100%; max-height: 30rem; }
   .keys i { display: inline-block; width: .8em; height: .8em; background: var(--key); margin-right: .3em; }
   .keys { margin: .3rem 0; }
   .keys span { margin-right: .8em; white-space: nowrap; }
@@ -69,13 +64,8 @@ constexpr const char* kScript = R"(
   }
 )";
 
-std::string bytes_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 std::string source_of(const std::string& file) {
-  const std::string bytes = bytes_of(file);
+  const std::string bytes = file_bytes(file).value_or("");
   return bytes.empty() ? std::string() : "data:image/png;base64," + base64(bytes);
 }
 

@@ -68,28 +68,63 @@ double placed(const Plot& plot, const Frame& frame, double y) {
   return y > 0.0 ? std::log10(y) : frame.zero;
 }
 
-/// Labels above their points, each as high as it must be to lie on no other. Places in px of the plot's inside, about.
-std::string labels_of(const Plot& plot, const Frame& frame) {
-  struct Box {
-    double x, y, half_width;
-  };
-  constexpr double kLine_px = 14.0, kLetter_px = 4.0;
-  std::vector<Box> taken;
-  std::string script;
+/// A label above its points: where they are, and what the text covers, in px of the plot's inside, about.
+struct Label {
+  std::string text;
+  double x, y;  ///< as the axes have them; the mean of the points' x
+  double n_points = 1.0;
+  double x_px, y_px;
+  [[nodiscard]] double half_width_px() const { return 4.0 * double(text.size()); }
+  [[nodiscard]] bool meets_beside(const Label& other) const {
+    return std::abs(x_px - other.x_px) < half_width_px() + other.half_width_px();
+  }
+};
+constexpr double kLine_px = 14.0;
+
+/// Labels at one height that would lie on each other become one, "2 7", from left to right.
+std::vector<Label> joined_labels(const Plot& plot, const Frame& frame) {
+  std::vector<Label> labels, joined;
   for (const PlotSeries& series : plot.series) {
     for (std::size_t i = 0; i < series.labels.size(); ++i) {
       const double y = placed(plot, frame, series.y[i]);
-      Box box{frame.x.part(series.x[i]) * 0.9 * plot.width, frame.y.part(y) * 0.75 * plot.height + kLine_px,
-              kLetter_px * double(series.labels[i].size())};
-      const auto meets = [&](const Box& other) {
-        return std::abs(box.x - other.x) < box.half_width + other.half_width && std::abs(box.y - other.y) < kLine_px;
-      };
-      double lines = 0.8;
-      for (; std::any_of(taken.begin(), taken.end(), meets); lines += 1.0) box.y += kLine_px;
-      taken.push_back(box);
-      script += "set label " + quoted(series.labels[i]) + " at " + number_text(series.x[i]) + "," + number_text(y) +
-                " center offset 0," + number_text(lines) + " font ',11' front\n";
+      labels.push_back({.text = series.labels[i],
+                        .x = series.x[i],
+                        .y = y,
+                        .x_px = frame.x.part(series.x[i]) * 0.9 * plot.width,
+                        .y_px = frame.y.part(y) * 0.75 * plot.height + kLine_px});
     }
+  }
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const Label& a, const Label& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  for (Label label : labels) {
+    // What has become longer may reach the one before.
+    while (!joined.empty() && joined.back().y == label.y && joined.back().meets_beside(label)) {
+      const Label& before = joined.back();
+      const double n = before.n_points + label.n_points;
+      label.text = before.text + " " + label.text;
+      label.x = (before.n_points * before.x + label.n_points * label.x) / n;
+      label.x_px = (before.n_points * before.x_px + label.n_points * label.x_px) / n;
+      label.n_points = n;
+      joined.pop_back();
+    }
+    joined.push_back(std::move(label));
+  }
+  return joined;
+}
+
+/// Labels above their points, each as high as it must be to lie on no other.
+std::string labels_of(const Plot& plot, const Frame& frame) {
+  std::vector<Label> taken;
+  std::string script;
+  for (Label label : joined_labels(plot, frame)) {
+    const auto meets = [&](const Label& other) {
+      return label.meets_beside(other) && std::abs(label.y_px - other.y_px) < kLine_px;
+    };
+    double lines = 0.8;
+    for (; std::any_of(taken.begin(), taken.end(), meets); lines += 1.0) label.y_px += kLine_px;
+    script += "set label " + quoted(label.text) + " at " + number_text(label.x) + "," + number_text(label.y) +
+              " center offset 0," + number_text(lines) + " font ',11' front\n";
+    taken.push_back(std::move(label));
   }
   return script;
 }

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <ostream>
 
 #include "experiments/experiment.h"
+#include "experiments/file_bytes.h"
 #include "experiments/option_values.h"
 #include "experiments/report/html.h"
 #include "experiments/whole_file.h"
@@ -37,11 +36,11 @@ PageSection section_of_file(const std::string& word) {
   const std::size_t equals = word.rfind('=');
   if (equals == std::string::npos) fail_value("--section", "TITLE=FILE.html", word);
   const std::string title = word.substr(0, equals), path = word.substr(equals + 1);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(Status::bad_input, path + ": cannot be read: expected the HTML of a section");
+  std::optional<std::string> html = file_bytes(path);
+  if (!html) throw Error(Status::bad_input, path + ": cannot be read: expected the HTML of a section");
   std::string id;
   for (const char c : title) id += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return {id, title, {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}};
+  return {id, title, *std::move(html)};
 }
 
 Status report(const ReportOptions& options, const Streams& streams) {
@@ -62,14 +61,12 @@ Status report(const ReportOptions& options, const Streams& streams) {
                 options.folder + ": expected the folder of an experiment, as lodestone run makes it");
   }
   const std::string out = options.out.empty() ? options.folder + "/report.html" : options.out;
-  WholeFile file(out);
   const std::string page = html_page("Lodestone",
                                      "Rendering techniques, held against the whole picture: how much time they save, "
                                      "and what that costs. Figures that are "
                                      "not times are the same on every machine.",
                                      headlines, sections);
-  file.file().write(page.data(), page.size());
-  publish({&file});
+  write_whole_file(out, page);
   streams.out << out << ": " << n_experiments << (n_experiments == 1 ? " experiment\n" : " experiments\n");
   return Status::done;
 }

@@ -14,12 +14,6 @@ namespace fs = std::filesystem;
   throw Error(Status::bad_input, path + ": " + what + ": " + error.message());
 }
 
-void write(const std::string& path, const std::string& text) {
-  WholeFile file(path);
-  file.file().write(text.data(), text.size());
-  publish({&file});
-}
-
 }  // namespace
 
 ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
@@ -33,9 +27,9 @@ ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
 }
 
 void ResultsFolder::publish(const ExperimentResults& results, const std::string& summary_json) {
-  write(hidden_ + "/results.csv", csv_text(results.results));
-  write(hidden_ + "/times.csv", csv_text(results.times));
-  write(hidden_ + "/summary.json", summary_json);
+  write_whole_file(hidden_ + "/results.csv", csv_text(results.results));
+  write_whole_file(hidden_ + "/times.csv", csv_text(results.times));
+  write_whole_file(hidden_ + "/summary.json", summary_json);
   std::error_code error;
   fs::remove_all(folder_, error);
   if (error) fail(folder_, "cannot be removed", error);

@@ -112,6 +112,26 @@ TEST(RenderCamera, TheScenesOwnCamerasGoByNameOrIndexAndTheFirstIsTheDefault) {
   }
 }
 
+// Two points 6 apart, walked in 4 frames: frame 1 is a third of the way, 2 along.
+TEST(RenderCamera, AnyFrameOfAWalkIsACamera) {
+  geometry::Scene scene;
+  scene.name = "walk";
+  scene.paths = {{.name = "main street", .points = {{0, 0, 0}, {0, 0, -6}}, .n_frames = 4}};
+  CameraOptions options;
+  options.camera = "main street 1";
+  EXPECT_EQ(camera_of(options, scene).eye, glm::dvec3(0, 0, -2));
+  for (const char* none : {"main street 4", "main street", "main street -1", "street 1"}) {
+    options.camera = none;
+    try {
+      static_cast<void>(camera_of(options, scene));
+      ADD_FAILURE() << none;
+    } catch (const experiments::Error& error) {
+      EXPECT_EQ(error.what(),
+                std::string("walk: no camera \"") + none + "\": expected one of \"main street FRAME\" up to 3");
+    }
+  }
+}
+
 TEST(RenderCamera, WithoutAnyCameraTheSceneIsFramed) {
   // The scene's middle is in the middle of the picture, and nothing touches its border.
   for (const char* scene : {"sphere:x=1000,y=-3,z=2,radius=5", "terrain:cells=4", "cube"}) {

@@ -8,6 +8,7 @@
 #include "experiments/error.h"
 #include "experiments/harness/culling_case.h"
 #include "experiments/harness/scene_hash.h"
+#include "experiments/harness/true_error.h"
 #include "experiments/harness/visible_samples.h"
 #include "geometry/procedural.h"
 #include "tests/geometry/temporary_folder.h"
@@ -137,6 +138,30 @@ TEST(CullingCase, TellsWhatIsCulledLostAndTaken) {
   EXPECT_EQ(row_of(result.results, "hierarchical_z").number("culled"), 1.0);
   EXPECT_EQ(row_of(result.results, "inner_boxes").number("culled"), 1.0);
   EXPECT_GT(row_of(result.times, "plain").number("frame_ms"), 0.0);
+}
+
+// One sample a pixel makes steps at the wall's sides, which 64 do not: everything is off the truth, and what draws the
+// same picture just as far.
+TEST(TrueErrors, OfAMethodThatLosesNothingAreThoseOfThePictureOfEverything) {
+  const geometry::Scene scene = wall_and_balls();
+  const techniques::World world(scene, {}, true, 1);
+  const raster::RenderOptions options{.threads = 1};
+  PreparedMethod plain(make_method("plain"), world, options), oracle(make_method("oracle"), world, options);
+  PreparedMethod* methods[] = {&plain, &oracle};
+  CullingCase one;
+  one.frames = {7}, one.cameras = {front_camera()}, one.size_px = {80, 60};
+  CaseResult result;
+  for (const char* method : {"plain", "oracle", "hierarchical_z"}) {
+    result.results.emplace_back().add("frame", std::int64_t(7)).add("method", method);
+  }
+  add_true_errors(one, 0, world, look_hash_of(scene), methods, KeptResults(""), options, result);
+  const Row &everything = result.results[0], &same = result.results[1];
+  EXPECT_GT(everything.number("flip_true"), 0.0);
+  EXPECT_LT(everything.number("psnr_true_db"), 60.0);
+  for (const char* column : {"flip_true", "psnr_true_db"}) EXPECT_EQ(same.number(column), everything.number(column));
+  EXPECT_EQ(same.text("flip_whole"), "0");
+  EXPECT_EQ(same.find("psnr_whole_db"), nullptr);           // of equal pictures there is none
+  EXPECT_EQ(result.results[2].find("flip_true"), nullptr);  // it was not asked
 }
 
 TEST(Method, IsATechniqueWithOrWithoutTheRenderersSkips) {

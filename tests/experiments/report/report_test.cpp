@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "experiments/convex_culling/method_rows.h"
+#include "experiments/convex_culling/truth_table.h"
 #include "experiments/error.h"
 #include "experiments/report/found_results.h"
 #include "experiments/report/gnuplot.h"
@@ -84,14 +85,14 @@ TEST(PlotScript, ALogarithmicAxisHasAPlaceForZero) {
   EXPECT_THAT(script, HasSubstr("set ytics (\"0\" -4, \"0.001\" -3, \"0.01\" -2, \"0.1\" -1)"));
 }
 
-// Two points in one place: the second's label is above the first's.
+// Two points in one place share a label. The one just above has a label of its own, a line higher than its 0.8.
 TEST(PlotScript, LabelsDoNotLieOnEachOther) {
-  const std::string script =
-      plot_script({.x_title = "",
-                   .y_title = "",
-                   .series = {{.title = "a", .x = {1, 1, 9}, .y = {5, 5, 5}, .labels = {"1", "2", "3"}}}});
-  EXPECT_THAT(script, HasSubstr("\"1\" at 1,5 center offset 0,0.8"));
-  EXPECT_THAT(script, HasSubstr("\"2\" at 1,5 center offset 0,1.8"));
+  const std::string script = plot_script(
+      {.x_title = "",
+       .y_title = "",
+       .series = {{.title = "a", .x = {1, 1, 1, 9}, .y = {5, 5, 5.01, 5}, .labels = {"1", "2", "4", "3"}}}});
+  EXPECT_THAT(script, HasSubstr("\"1 2\" at 1,5 center offset 0,0.8"));
+  EXPECT_THAT(script, HasSubstr("\"4\" at 1,5.01 center offset 0,1.8"));
   EXPECT_THAT(script, HasSubstr("\"3\" at 9,5 center offset 0,0.8"));
 }
 
@@ -117,6 +118,19 @@ TEST(MethodRows, SayWhatWasFound) {
   EXPECT_EQ(with_skips_beside(summary)[1].text("causes"), "2 px by hulls that bulge out of models");
   EXPECT_THAT(text, HasSubstr("leaves out 90.0 % of what cannot be seen, is 2.00 times as fast, and leaves out what "
                               "can be seen in 1 of 2 views: 0.2000 % of the pixels that show anything."));
+}
+
+// 0.031 of which everything has 0.030 by itself: culling added 0.001.
+TEST(TruthTable, TellsWhatCullingAddsToThePicturesOwnError) {
+  std::vector<Row> summary(2);
+  summary[0].add("method", std::string("plain")).add("true_views", std::int64_t(1));
+  summary[0].add("flip_true", 0.030).add("flip_whole", 0.0);
+  EXPECT_THAT(truth_table({summary[0]}), HasSubstr("off by a FLIP of 0.0300"));
+  EXPECT_THAT(truth_table({summary[0]}), HasSubstr("all methods draw the same picture"));
+  summary[1].add("method", std::string("convex_culling:mode=safe")).add("flip_true", 0.031).add("flip_whole", 0.002);
+  EXPECT_THAT(truth_table(summary), HasSubstr("<td>convex culling, safe</td><td class=\"n\">0.03100</td>"
+                                              "<td class=\"n\">0.00100</td>"));
+  EXPECT_EQ(truth_table({}), "");
 }
 
 TEST(Report, OfNothingIsRefusedInOneLine) {
