@@ -1,0 +1,73 @@
+#include "techniques/masked_occlusion/cluster_kernel.h"
+
+#include "raster/fast/highway_targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "techniques/masked_occlusion/cluster_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include "techniques/masked_occlusion/draw_cluster-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lode::techniques {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_AVX3
+constexpr raster::Target kTarget = raster::Target::avx512;
+#elif HWY_TARGET == HWY_AVX2
+constexpr raster::Target kTarget = raster::Target::avx2;
+#elif HWY_TARGET == HWY_SSE4
+constexpr raster::Target kTarget = raster::Target::sse4;
+#elif HWY_TARGET == LODE_NEON
+constexpr raster::Target kTarget = raster::Target::neon;
+#elif defined(__wasm_simd128__)
+constexpr raster::Target kTarget = raster::Target::wasm;
+#else
+constexpr raster::Target kTarget = raster::Target::scalar;
+#endif
+
+extern const ClusterKernel kClusterKernel;
+const ClusterKernel kClusterKernel = {kTarget, AllClean, DrawCluster};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace lode::techniques
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lode::techniques {
+namespace {
+
+#ifdef HWY_NEON_WITHOUT_AES
+#define LODE_NEON_CLUSTER_KERNEL N_NEON_WITHOUT_AES::kClusterKernel
+#else
+#define LODE_NEON_CLUSTER_KERNEL N_NEON::kClusterKernel
+#endif
+
+const ClusterKernel* const kBuilt[] = {
+#if HWY_TARGETS & HWY_AVX3
+    &N_AVX3::kClusterKernel,
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    &N_AVX2::kClusterKernel,
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    &N_SSE4::kClusterKernel,
+#endif
+#if HWY_TARGETS & LODE_NEON
+    &LODE_NEON_CLUSTER_KERNEL,
+#endif
+    &N_EMU128::kClusterKernel,
+};
+
+}  // namespace
+
+const ClusterKernel& cluster_kernel(raster::Target target) {
+  const raster::fast::Kernels* const renderers = raster::fast::find_kernels(target);
+  for (const ClusterKernel* kernel : kBuilt) {
+    if (renderers != nullptr && kernel->target == renderers->target) return *kernel;
+  }
+  return N_EMU128::kClusterKernel;
+}
+
+}  // namespace lode::techniques
+#endif
