@@ -101,6 +101,17 @@ struct OneCluster {
   }
 };
 
+/// Asks memory for a cluster that will be next.
+void prefetch(const raster::Clusters& all, std::uint32_t k) {
+  const auto ask = [](const auto* begin, std::size_t n) {
+    const auto* bytes = reinterpret_cast<const char*>(begin);
+    for (std::size_t i = 0; i < n * sizeof(*begin); i += 64) __builtin_prefetch(bytes + i);
+  };
+  const raster::Cluster& cluster = all.clusters[k];
+  for (const auto* axis : {&all.x, &all.y, &all.z}) ask(axis->data() + cluster.first_vertex, cluster.n_vertices);
+  ask(all.corners.data() + 3 * std::size_t(cluster.first_triangle), 3 * std::size_t(cluster.n_triangles));
+}
+
 /// The matrix as the renderer's kernels take it, and the viewport of the whole picture: all that a transform needs.
 raster::fast::DrawView view_of(const glm::dmat4& clip_from_object, const reference::Viewport& viewport) {
   raster::fast::DrawView view;
@@ -148,8 +159,10 @@ void OccluderDrawer::draw_clusters(const raster::Draw& draw, glm::ivec2 size_px,
   const raster::fast::DrawView view = view_of(clip_from_object, to_screen.viewport());
   raster::fast::WindowVertices128 window;
   const bool by_kernel = renderers != nullptr && is_moderate(view);
-  for (const std::uint32_t k : walk_.worth_drawing(draw, size_px, buffer, work.subtiles_read)) {
-    const raster::Cluster& cluster = all.clusters[k];
+  const std::span<const std::uint32_t> wanted = walk_.worth_drawing(draw, size_px, buffer, work.subtiles_read);
+  for (std::size_t next = 0; next < wanted.size(); ++next) {
+    if (next + 1 < wanted.size()) prefetch(all, wanted[next + 1]);
+    const raster::Cluster& cluster = all.clusters[wanted[next]];
     OneCluster one{all, cluster, to_screen, triangles};
     if (by_kernel) {
       const std::size_t first = cluster.first_vertex;

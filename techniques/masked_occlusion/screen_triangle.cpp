@@ -100,6 +100,15 @@ struct Band {
   std::int64_t first[kRows], last[kRows];
 };
 
+/// Samples that are in all four rows.
+struct Whole {
+  std::int64_t first, last;
+};
+Whole whole_part(const Band& band) {
+  return {std::max({band.first[0], band.first[1], band.first[2], band.first[3]}),
+          std::min({band.last[0], band.last[1], band.last[2], band.last[3]})};
+}
+
 /// The band's samples in the subtile that begins at x.
 std::uint32_t coverage_at(const Band& band, int x) {
   std::uint32_t coverage = 0;
@@ -152,8 +161,10 @@ std::uint64_t draw_triangle(const ScreenTriangle& t, MaskedDepth& buffer) {
       last = std::max(last, row_last);
     }
     // Its subtiles, each with the bits that lie in it.
+    const Whole whole = whole_part(band);
     for (int x = int(first) & ~7; x <= last; x += kSubtileWidth_px) {
-      const std::uint32_t coverage = coverage_at(band, x);
+      const bool all = whole.first <= x && x + kSubtileWidth_px - 1 <= whole.last;
+      const std::uint32_t coverage = all ? ~0u : coverage_at(band, x);
       if (coverage == 0) continue;
       const float farthest = plane.farthest_in({std::max(x, int(first)), first_row},
                                                {std::min(x + kSubtileWidth_px - 1, int(last)), end_row - 1});
