@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "techniques/masked_occlusion/cluster_kernel.h"
+#include "techniques/masked_occlusion/occluder_kernels.h"
 
 #if defined(LODE_TECHNIQUES_DRAW_CLUSTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LODE_TECHNIQUES_DRAW_CLUSTER_INL_H_

@@ -13,8 +13,9 @@ namespace reference = raster::reference;
 /// Draws triangles of vertices that are on the screen already.
 class TriangleDrawer {
  public:
-  TriangleDrawer(raster::Cull cull, const reference::Viewport& viewport, MaskedDepth& buffer, OccluderWork& work)
-      : cull_(cull), viewport_(viewport), buffer_(buffer), work_(work) {}
+  TriangleDrawer(raster::Cull cull, const reference::Viewport& viewport, const OccluderKernels& kernels,
+                 MaskedDepth& buffer, OccluderWork& work)
+      : cull_(cull), viewport_(viewport), kernels_(kernels), buffer_(buffer), work_(work) {}
 
   void draw(const OccluderVertex& a, const OccluderVertex& b, const OccluderVertex& c) {
     ++work_.triangles;
@@ -37,7 +38,7 @@ class TriangleDrawer {
     return cull_ != raster::Cull::none && reference::culled(cull_, reference::facing_sign(corners));
   }
   void draw_part(const ScreenTriangle& triangle) {
-    const std::uint64_t n_subtiles = draw_triangle(triangle, buffer_);
+    const std::uint64_t n_subtiles = kernels_.draw_triangle(triangle, buffer_);
     work_.drawn += n_subtiles > 0 ? 1 : 0;
     work_.subtiles_written += n_subtiles;
   }
@@ -45,6 +46,7 @@ class TriangleDrawer {
 
   raster::Cull cull_;
   const reference::Viewport& viewport_;
+  const OccluderKernels& kernels_;
   MaskedDepth& buffer_;
   OccluderWork& work_;
 };
@@ -138,7 +140,7 @@ void OccluderDrawer::draw(const raster::Draw& draw, glm::ivec2 size_px, raster::
   if (draw.clusters != nullptr) return draw_clusters(draw, size_px, target, buffer, work);
   const auto& object = std::get<raster::ObjectVertices>(draw.vertices);
   const ToScreen to_screen(object.clip_from_object, size_px);
-  TriangleDrawer triangles(draw.cull, to_screen.viewport(), buffer, work);
+  TriangleDrawer triangles(draw.cull, to_screen.viewport(), occluder_kernels(target), buffer, work);
   vertices_.clear();
   for (const glm::vec3& p : object.positions) vertices_.push_back(to_screen(p));
   const std::size_t n_corners = draw.indices ? draw.indices->size() : vertices_.size();
@@ -152,10 +154,10 @@ void OccluderDrawer::draw_clusters(const raster::Draw& draw, glm::ivec2 size_px,
                                    MaskedDepth& buffer, OccluderWork& work) {
   const glm::dmat4& clip_from_object = std::get<raster::ObjectVertices>(draw.vertices).clip_from_object;
   const ToScreen to_screen(clip_from_object, size_px);
-  TriangleDrawer triangles(draw.cull, to_screen.viewport(), buffer, work);
+  const OccluderKernels& kernels = occluder_kernels(target);
+  TriangleDrawer triangles(draw.cull, to_screen.viewport(), kernels, buffer, work);
   const raster::Clusters& all = *draw.clusters;
   const raster::fast::Kernels* const renderers = raster::fast::find_kernels(target);
-  const ClusterKernel& kernel = cluster_kernel(target);
   const raster::fast::DrawView view = view_of(clip_from_object, to_screen.viewport());
   raster::fast::WindowVertices128 window;
   const bool by_kernel = renderers != nullptr && is_moderate(view);
@@ -168,14 +170,14 @@ void OccluderDrawer::draw_clusters(const raster::Draw& draw, glm::ivec2 size_px,
       const std::size_t first = cluster.first_vertex;
       renderers->transform(view, all.x.data() + first, all.y.data() + first, all.z.data() + first, cluster.n_vertices,
                            0, 0, &window);
-      if (kernel.clean(window, cluster.n_vertices)) {
-        kernel.draw({.corners = one.corners(),
-                     .n_triangles = cluster.n_triangles,
-                     .vertices = &window,
-                     .cull = draw.cull,
-                     .context = &one,
-                     .draw_other = [](void* self, int t) { static_cast<const OneCluster*>(self)->draw(t); }},
-                    buffer, work);
+      if (kernels.clean(window, cluster.n_vertices)) {
+        kernels.draw_cluster({.corners = one.corners(),
+                              .n_triangles = cluster.n_triangles,
+                              .vertices = &window,
+                              .cull = draw.cull,
+                              .context = &one,
+                              .draw_other = [](void* self, int t) { static_cast<const OneCluster*>(self)->draw(t); }},
+                             buffer, work);
         continue;
       }
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "raster/frame.h"
-#include "techniques/masked_occlusion/cluster_kernel.h"
 #include "techniques/masked_occlusion/cluster_walk.h"
+#include "techniques/masked_occlusion/occluder_kernels.h"
 #include "techniques/masked_occlusion/occluder_vertex.h"
 #include "techniques/masked_occlusion/screen_triangle.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "techniques/masked_occlusion/cluster_kernel.h"
+#include "techniques/masked_occlusion/occluder_kernels.h"
 
 #if defined(LODE_TECHNIQUES_TRIANGLE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LODE_TECHNIQUES_TRIANGLE_LANES_INL_H_
@@ -140,8 +140,8 @@ HWY_INLINE void PlanesOf(const I (&x)[3], const I (&y)[3], const double (&z)[3][
     const auto size_x = hn::Add(hn::Max(hn::Abs(ux), hn::Abs(vx)), hn::Abs(hn::Sub(ux, vx)));
     const auto size_y = hn::Add(hn::Max(hn::Abs(uy), hn::Abs(vy)), hn::Abs(hn::Sub(uy, vy)));
     const auto farthest = hn::Min(hn::Min(z0, z1), z2), nearest = hn::Max(hn::Max(z0, z1), z2);
-    const auto spread = hn::Mul(hn::Mul(hn::Set(d, 4.0), hn::Sub(nearest, farthest)),
-                                hn::Div(hn::Mul(size_x, size_y), hn::Abs(twice)));
+    const auto spread =
+        hn::Mul(hn::Mul(hn::Set(d, 4.0), hn::Sub(nearest, farthest)), hn::Div(hn::Mul(size_x, size_y), hn::Abs(twice)));
     hn::StoreU(z0, d, out.z0 + half), hn::StoreU(x0, d, out.x0 + half), hn::StoreU(y0, d, out.y0 + half);
     hn::StoreU(hn::Div(hn::Sub(hn::Mul(du, vy), hn::Mul(dv, uy)), twice), d, out.a + half);
     hn::StoreU(hn::Div(hn::Sub(hn::Mul(dv, ux), hn::Mul(du, vx)), twice), d, out.b + half);

@@ -1,12 +1,13 @@
-#include "techniques/masked_occlusion/cluster_kernel.h"
+#include "techniques/masked_occlusion/occluder_kernels.h"
 
 #include "raster/fast/highway_targets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "techniques/masked_occlusion/cluster_kernel.cpp"
+#define HWY_TARGET_INCLUDE "techniques/masked_occlusion/occluder_kernels.cpp"
 #include <hwy/foreach_target.h>
 
 #include "techniques/masked_occlusion/draw_cluster-inl.h"
+#include "techniques/masked_occlusion/draw_wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::techniques {
@@ -26,8 +27,8 @@ constexpr raster::Target kTarget = raster::Target::wasm;
 constexpr raster::Target kTarget = raster::Target::scalar;
 #endif
 
-extern const ClusterKernel kClusterKernel;
-const ClusterKernel kClusterKernel = {kTarget, AllClean, DrawCluster};
+extern const OccluderKernels kOccluderKernels;
+const OccluderKernels kOccluderKernels = {kTarget, AllClean, DrawCluster, DrawTriangle};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::techniques
@@ -38,35 +39,35 @@ namespace lode::techniques {
 namespace {
 
 #ifdef HWY_NEON_WITHOUT_AES
-#define LODE_NEON_CLUSTER_KERNEL N_NEON_WITHOUT_AES::kClusterKernel
+#define LODE_NEON_KERNELS_HERE N_NEON_WITHOUT_AES::kOccluderKernels
 #else
-#define LODE_NEON_CLUSTER_KERNEL N_NEON::kClusterKernel
+#define LODE_NEON_KERNELS_HERE N_NEON::kOccluderKernels
 #endif
 
-const ClusterKernel* const kBuilt[] = {
+const OccluderKernels* const kBuilt[] = {
 #if HWY_TARGETS & HWY_AVX3
-    &N_AVX3::kClusterKernel,
+    &N_AVX3::kOccluderKernels,
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    &N_AVX2::kClusterKernel,
+    &N_AVX2::kOccluderKernels,
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    &N_SSE4::kClusterKernel,
+    &N_SSE4::kOccluderKernels,
 #endif
 #if HWY_TARGETS & LODE_NEON
-    &LODE_NEON_CLUSTER_KERNEL,
+    &LODE_NEON_KERNELS_HERE,
 #endif
-    &N_EMU128::kClusterKernel,
+    &N_EMU128::kOccluderKernels,
 };
 
 }  // namespace
 
-const ClusterKernel& cluster_kernel(raster::Target target) {
+const OccluderKernels& occluder_kernels(raster::Target target) {
   const raster::fast::Kernels* const renderers = raster::fast::find_kernels(target);
-  for (const ClusterKernel* kernel : kBuilt) {
-    if (renderers != nullptr && kernel->target == renderers->target) return *kernel;
+  for (const OccluderKernels* kernels : kBuilt) {
+    if (renderers != nullptr && kernels->target == renderers->target) return *kernels;
   }
-  return N_EMU128::kClusterKernel;
+  return N_EMU128::kOccluderKernels;
 }
 
 }  // namespace lode::techniques
