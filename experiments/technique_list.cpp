@@ -5,6 +5,7 @@
 #include "techniques/convex_culling/convex_culling.h"
 #include "techniques/frustum_culling/frustum_culling.h"
 #include "techniques/hierarchical_z/hierarchical_z.h"
+#include "techniques/image_reuse/image_reuse.h"
 #include "techniques/inner_boxes/inner_boxes.h"
 #include "techniques/masked_occlusion/masked_occlusion.h"
 #include "techniques/plain/plain.h"
@@ -129,6 +130,30 @@ AnyTechnique make_masked_occlusion(const ParameterValues& v) {
                                                    .boxes = box_parameters(v)}));
 }
 
+std::vector<Parameter> image_reuse_parameters() {
+  const techniques::ImageReuse::Params p;
+  return {{"threshold", "turn of the viewing angle from which on a picture is taken anew, degrees", 0, 180,
+           p.threshold_deg},
+          choice_parameter("angle", "what of the viewing angle counts", {"full", "yaw"}, 0),
+          choice_parameter("placement", "where plates go, and what is captured", {"corrected", "literal"}, 0),
+          {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.near_radii},
+          {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.near_distance},
+          {"magnification", "growth of a picture's pixels at which it is taken anew; 0: any", 0, 1e6, p.magnification},
+          {"captures", "in a frame at most; 0: any", 0, 1e6, double(p.most_captures), true},
+          {"memory", "MiB of pictures at most; 0: any", 0, 1e6, 0}};
+}
+
+AnyTechnique make_image_reuse(const ParameterValues& v) {
+  return AnyTechnique(techniques::ImageReuse({.threshold_deg = v.at("threshold"),
+                                              .angle = techniques::AngleRule(int(v.at("angle"))),
+                                              .placement = techniques::PlatePlacement(int(v.at("placement"))),
+                                              .near_radii = v.at("near_radii"),
+                                              .near_distance = v.at("near"),
+                                              .magnification = v.at("magnification"),
+                                              .most_captures = int(v.at("captures")),
+                                              .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
+}
+
 std::vector<TechniqueEntry> make_list() {
   return {
       {"plain",
@@ -152,6 +177,8 @@ std::vector<TechniqueEntry> make_list() {
        make_convex_culling},
       {"inner_boxes", "Objects whose box is covered by boxes inside the occluders, on slabs, are left out",
        with_slab_parameters(with_box_parameters({}), techniques::InnerBoxes::default_slabs()), make_inner_boxes},
+      {"image_reuse", "Far objects are drawn as plates with the picture that they last had", image_reuse_parameters(),
+       make_image_reuse},
   };
 }
 

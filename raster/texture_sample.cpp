@@ -49,17 +49,12 @@ struct LinearFormat {
 
   void add(const Texel& texel, std::int32_t weight) {
     if (weight == 0) return;
-    const double w = weight;
-    for (int c = 0; c < 4; ++c) sum[c] += w * double{texel[c]};
+    for (int c = 0; c < 4; ++c) sum[c] += double(weight) * double{texel[c]};
   }
   [[nodiscard]] Texel mean(std::int32_t n_probes) const {
     Texel texel;
-    if (n_probes == 1) {  // a power of two: the product is the quotient
-      for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] * (1.0 / kWeightOfProbe));
-    } else {
-      const double total = double(n_probes) * kWeightOfProbe;
-      for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] / total);
-    }
+    const double total = double(n_probes) * kWeightOfProbe;
+    for (int c = 0; c < 4; ++c) texel[c] = static_cast<float>(sum[c] / total);
     return store_rgba32f(texel);
   }
 };

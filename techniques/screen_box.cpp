@@ -24,14 +24,10 @@ glm::dvec3 corner(const geometry::Bounds& box, int k) {
   return {k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y, k & 4 ? box.high.z : box.low.z};
 }
 
-/// Pixels whose centres lie in [low, high], of n.
-int first_pixel(double low_px) { return int(std::max(std::ceil(low_px - 0.5), 0.0)); }
-int last_pixel(double high_px, int n) { return int(std::min(std::floor(high_px - 0.5), double(n - 1))); }
-
 }  // namespace
 
-std::optional<ScreenBox> screen_box(const glm::dmat4& clip_from_world, glm::ivec2 size_px,
-                                    const geometry::Bounds& box) {
+std::optional<ScreenBox> whole_screen_box(const glm::dmat4& clip_from_world, glm::ivec2 size_px,
+                                          const geometry::Bounds& box) {
   if (box.empty()) return ScreenBox{};
   const glm::dvec2 half_px = 0.5 * glm::dvec2(size_px);
   glm::dvec2 low_px(kGuard_px), high_px(-kGuard_px);
@@ -50,11 +46,21 @@ std::optional<ScreenBox> screen_box(const glm::dmat4& clip_from_world, glm::ivec
     nearest = std::max(nearest, greatest_z / least_w);
   }
   ScreenBox result;
-  result.first_px = {first_pixel(low_px.x - kWider_px), first_pixel(low_px.y - kWider_px)};
-  result.last_px = {last_pixel(high_px.x + kWider_px, size_px.x), last_pixel(high_px.y + kWider_px, size_px.y)};
+  // Pixels whose centres lie in between.
+  result.first_px = glm::ivec2(glm::ceil(low_px - kWider_px - 0.5));
+  result.last_px = glm::ivec2(glm::floor(high_px + kWider_px - 0.5));
   // The renderer rounds depths to float as this does, and rounding keeps the order.
   result.nearest = float(std::min(nearest, 1.0));
   return result;
+}
+
+std::optional<ScreenBox> screen_box(const glm::dmat4& clip_from_world, glm::ivec2 size_px,
+                                    const geometry::Bounds& box) {
+  std::optional<ScreenBox> seen = whole_screen_box(clip_from_world, size_px, box);
+  if (!seen) return seen;
+  seen->first_px = glm::max(seen->first_px, glm::ivec2(0));
+  seen->last_px = glm::min(seen->last_px, size_px - 1);
+  return seen;
 }
 
 }  // namespace lode::techniques

@@ -28,6 +28,10 @@ struct ScreenBox {
 /// vertices lie far from their own origin (up to 2^14 times as far as the box from the world's).
 ///   clip_from_world   depth 1 near, 0 far (geometry::clip_from_world)
 ///   size_px           of the picture, each at most 32768
+///
+/// `whole_screen_box` also tells of pixels beyond the picture.
+[[nodiscard]] std::optional<ScreenBox> whole_screen_box(const glm::dmat4& clip_from_world, glm::ivec2 size_px,
+                                                        const geometry::Bounds& box);
 [[nodiscard]] std::optional<ScreenBox> screen_box(const glm::dmat4& clip_from_world, glm::ivec2 size_px,
                                                   const geometry::Bounds& box);
 

@@ -63,10 +63,15 @@ void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4
 }
 
 PictureId Stage::capture(std::span<const ObjectId> objects, const geometry::Camera& camera, glm::ivec2 size_px) {
+  return capture(objects, {.camera = camera, .size_px = size_px}, {{0, 0}, size_px});
+}
+
+PictureId Stage::capture(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px,
+                         const glm::vec4& background) {
   if (world_.color_space() == ColorSpace::raw) {
     throw raster::Error(raster::ErrorKind::bad_input, "a captured picture: expected linear colours (srgb), found raw");
   }
-  const glm::dmat4 clip_from_world = geometry::clip_from_world(camera, size_px);
+  const glm::dmat4 clip_from_world = geometry::clip_from_world(view.camera, view.size_px);
   std::vector<raster::Draw> draws;
   for (const ObjectId id : objects) {
     const WorldObject& object = world_.objects()[id];
@@ -75,15 +80,17 @@ PictureId Stage::capture(std::span<const ObjectId> objects, const geometry::Came
     }
   }
   raster::Image image =
-      raster::make_image(size_px, raster::ColorFormat::rgba32f, {.color = true, .depth = true, .ids = false});
-  raster::render({.draws = draws, .clear = glm::vec4(0.0f), .viewport = {}, .scissor = {}}, image, options_);
+      raster::make_image(window_px.size_px, raster::ColorFormat::rgba32f, {.color = true, .depth = true, .ids = false});
+  const raster::Rect viewport{-window_px.origin_px, view.size_px};
+  raster::render({.draws = draws, .clear = background, .viewport = viewport, .scissor = {}}, image, options_);
 
   auto captured = std::make_unique<CapturedPicture>();
-  captured->camera = camera;
-  captured->texture = raster::make_linear_texture(size_px, image.rgba32f, raster::Mips::all);
+  captured->camera = view.camera;
+  captured->view_size_px = view.size_px, captured->origin_px = window_px.origin_px;
+  captured->texture = raster::make_linear_texture(window_px.size_px, image.rgba32f, raster::Mips::all);
   captured->depth.assign(image.depth.begin(), image.depth.end());
   ++work_.captures;
-  work_.captured_px += std::uint64_t(size_px.x) * std::uint64_t(size_px.y);
+  work_.captured_px += std::uint64_t(window_px.size_px.x) * std::uint64_t(window_px.size_px.y);
   pictures_.emplace(next_picture_, std::move(captured));
   return next_picture_++;
 }

@@ -32,8 +32,10 @@ using PictureId = std::uint32_t;
 /// A picture that was taken of objects: premultiplied colour with mips, and the depth of its level 0.
 struct CapturedPicture {
   geometry::Camera camera;
-  raster::Texture texture;   ///< linear
-  std::vector<float> depth;  ///< [w · h] of the camera's depth range: 1 near, 0 where there is nothing
+  glm::ivec2 view_size_px{0, 0};  ///< of the camera's whole picture
+  glm::ivec2 origin_px{0, 0};     ///< where in it this one begins
+  raster::Texture texture;        ///< linear
+  std::vector<float> depth;       ///< [w · h] of the camera's depth range: 1 near, 0 where there is nothing
   [[nodiscard]] glm::ivec2 size_px() const { return texture.levels.front().size_px; }
 };
 
@@ -81,6 +83,11 @@ class Stage {
   /// Throws raster::Error (bad_input: the size, or a world whose colours are raw; out_of_memory).
   [[nodiscard]] PictureId capture(std::span<const ObjectId> objects, const geometry::Camera& camera,
                                   glm::ivec2 size_px);
+  /// The same of a part of a view's picture, sample by sample what `view` shows of the objects there.
+  ///   window_px    in the view's picture; may reach beyond it; 1…16384 a side
+  ///   background   premultiplied, where there is nothing
+  [[nodiscard]] PictureId capture(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px,
+                                  const glm::vec4& background = glm::vec4(0.0f));
   [[nodiscard]] const CapturedPicture& picture(PictureId id) const;
   /// The frame being made may still show it; it goes when the next one begins.
   void release(PictureId id);

@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,8 @@ class Stage;
 struct View {
   geometry::Camera camera;
   glm::ivec2 size_px{0, 0};
-  double time_s = 0.0;  ///< of the animation; still scenes ignore it
+  double time_s = 0.0;         ///< of the animation; still scenes ignore it
+  glm::vec4 background{0.0f};  ///< where nothing is: premultiplied, in the target's unit
 };
 
 /// How a technique's picture differs from that of the whole scene.

@@ -69,7 +69,7 @@ class FrameRenderer {
     const bool turned = k > 0 && request_.orbit_rad != 0.0;
     const geometry::Camera camera =
         turned ? geometry::orbited(view_.camera, view_.bounds.centre(), k * request_.orbit_rad) : view_.camera;
-    const techniques::View view{.camera = camera, .size_px = view_.size_px};
+    const techniques::View view{.camera = camera, .size_px = view_.size_px, .background = request_.look.clear};
     stage_.begin(view);
     technique_counters_ = technique_.draw(view, stage_);
     options_.on_tile = [&progress] { progress.add(1); };

@@ -8,9 +8,9 @@
 
 #include "raster/fast/box-inl.h"
 #include "raster/fast/depth-inl.h"
-#include "raster/fast/flat-inl.h"
 #include "raster/fast/linear_texture-inl.h"
 #include "raster/fast/ordered-inl.h"
+#include "raster/fast/owners-inl.h"
 #include "raster/fast/rasterize-inl.h"
 #include "raster/fast/records-inl.h"
 #include "raster/fast/resolve-inl.h"
@@ -38,9 +38,26 @@ constexpr Target kTarget = Target::scalar;
 #endif
 
 extern const Kernels kKernels;
-const Kernels kKernels = {kTarget,   Look,        Transform,     Rasterize,      RasterizeLone,
-                          Hidden,    MakeRecords, ShadeRecords,  ResolveRecords, WriteTile, Clear,
-                          ShadeOwners, ShadeSurface, ApplyLinearTexture, StoreFloats, StoreBytes, ShadeTextured, DrawTextured};
+const Kernels kKernels = {
+    .target = kTarget,
+    .look = Look,
+    .transform = Transform,
+    .rasterize = Rasterize,
+    .rasterize_lone = RasterizeLone,
+    .hidden = Hidden,
+    .make_records = MakeRecords,
+    .shade_records = ShadeRecords,
+    .resolve_records = ResolveRecords,
+    .write_tile = WriteTile,
+    .clear = Clear,
+    .shade_owners = ShadeOwners,
+    .shade_surface = ShadeSurface,
+    .apply_linear_texture = ApplyLinearTexture,
+    .store_floats = StoreFloats,
+    .store_bytes = StoreBytes,
+    .shade_textured = ShadeTextured,
+    .draw_textured = DrawTextured,
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace lode::raster::fast

@@ -120,7 +120,7 @@ struct Resident {
 };
 
 /// Samples of one draw that is a surface without a texture, each with an owner of its own.
-struct FlatJob {
+struct OwnersJob {
   const Surface* surface = nullptr;
   const Resident* residents = nullptr;
   const WindowVertices128* vertices = nullptr;  ///< [residents]
@@ -238,7 +238,7 @@ struct Kernels {
   /// n pixels of one value, one behind the other.
   void (*clear)(std::uint32_t* to, std::size_t n, std::uint32_t value);
   /// Sixteen samples; each of the owners is a triangle of the draw.
-  void (*shade_owners)(const FlatJob& job, const std::uint32_t* owners, SurfaceSamples& out);
+  void (*shade_owners)(const OwnersJob& job, const std::uint32_t* owners, SurfaceSamples& out);
   /// The sixteen samples of a 4×4 of which the first is given, from the tile's corner; what those become that the
   /// triangle does not cover is not said.
   void (*shade_surface)(const Surface& surface, const SurfaceTriangle& triangle, int x_fx8, int y_fx8,

@@ -12,8 +12,8 @@ void Records::make(std::uint64_t n_won) {
   n_records_ = 0;
   recent_.fill({kNoOwner, kNoRecord});
   const auto& written = w_.tile->written;
-  const auto n_touched = std::count_if(std::begin(written), std::end(written),
-                                       [](std::uint8_t flags) { return (flags & kTouched) != 0; });
+  const auto n_touched =
+      std::count_if(std::begin(written), std::end(written), [](std::uint8_t flags) { return (flags & kTouched) != 0; });
   // Where samples were won often over, finding out whose they are in the end costs less than records for nothing.
   wanted_ = 4 * n_won > 5 * 64 * std::uint64_t(n_touched) ? kOwns : kWon;
   if (wanted_ == kOwns) mark_owners();
@@ -46,7 +46,7 @@ void Records::prefetch_colors(std::uint32_t slot) const {
   if ((any & 0x0101010101010101u * wanted_) == 0 || !fast.flat || fast.constant) return;
   const std::uint32_t* vertices = &fast.clusters->vertices[r.first_vertex];
   const std::size_t n = fast.clusters->clusters[r.cluster].n_vertices;
-  for (std::size_t i = 0; i < n; ++i) __builtin_prefetch(fast.flat_job.colors + 4 * std::size_t(vertices[i]));
+  for (std::size_t i = 0; i < n; ++i) __builtin_prefetch(fast.owners_job.colors + 4 * std::size_t(vertices[i]));
 }
 
 void Records::make_those_of(std::uint32_t slot) {
@@ -72,9 +72,9 @@ void Records::make_those_of(std::uint32_t slot) {
   job.corners = &fast.clusters->corners[3 * std::size_t(r.first_triangle)];
   job.vertices = &w_.vertices[slot];
   job.mesh_vertices = &fast.clusters->vertices[r.first_vertex];
-  job.colors = fast.flat_job.colors;
+  job.colors = fast.owners_job.colors;
   job.scale = fast.scale;
-  job.scaled = fast.surface.has_color;
+  job.scaled = scene_.frame->draws[fast.draw].color.has_value();
   job.sample_x_fx8 = sample_fx8_.x, job.sample_y_fx8 = sample_fx8_.y;
   job.marks = marks, job.wanted = wanted_;
   job.first_record = n_records_, job.record_of = record_of, job.records = &w_.records[n_records_];

@@ -5,7 +5,7 @@
 
 #include "raster/blend.h"
 #include "raster/fast/records.h"
-#include "raster/fast/surface.h"
+#include "raster/fast/surface_resolve.h"
 #include "raster/fast/textured.h"
 #include "raster/fast/tile.h"
 #include "raster/reference/shade.h"
@@ -21,6 +21,7 @@ class Resolver {
         w_(worker),
         owners_(scene, worker, box),
         records_(scene, worker, box, sample_fx8),
+        surfaces_(scene, worker, owners_, box, sample_fx8, image.format),
         box_(box),
         sample_fx8_(sample_fx8),
         fill_(fill),
@@ -35,7 +36,6 @@ class Resolver {
   void run() {
     if (!has_color_ && !has_ids_) return;
     for (Textured& kept : *w_.textured) kept.owner = kNoOwner;
-    for (KeptSurface& kept : *w_.surfaces) kept.owner = kNoOwner;
     clear8_ = store_rgba8(scene_.frame->clear);
     clear32_ = store_rgba32f(scene_.frame->clear);
     if (by_records_) {
@@ -45,16 +45,11 @@ class Resolver {
         for (int x = 0; x < size_.x; x += 4) resolve_block(x, y);
       }
     }
-    for (Batch& batch : batches_) flush(batch);
+    surfaces_.finish();
   }
 
  private:
   using Lanes = std::uint32_t;  // a bit for each sample of a 4×4
-
-  template <class Visit>
-  static void for_each_lane(Lanes lanes, Visit visit) {
-    for (; lanes != 0; lanes &= lanes - 1) visit(std::uint32_t(std::countr_zero(lanes)));
-  }
 
   void resolve_by_records() {
     records_.make(n_won_);
@@ -104,7 +99,7 @@ class Resolver {
     left &= ~none;
     if (left == 0) return;
     if (has_ids_) {
-      for_each_lane(left, [&](std::uint32_t k) { w_.ids[base + k] = owners_.ids(owners[k]); });
+      for_each_lane(left, [&](std::size_t k) { w_.ids[base + k] = owners_.ids(owners[k]); });
     }
     if (!has_color_) return;
     w_.stats.fragments_shaded += std::uint64_t(std::popcount(left));
@@ -112,7 +107,7 @@ class Resolver {
   }
 
   void clear_lanes(Lanes lanes, std::size_t base) {
-    for_each_lane(lanes, [&](std::uint32_t k) {
+    for_each_lane(lanes, [&](std::size_t k) {
       if (has_ids_) w_.ids[base + k] = {kNoId, kNoId};
       if (!w_.rgba8.empty()) w_.rgba8[base + k] = clear8_;
       if (!w_.rgba32f.empty()) w_.rgba32f[base + k] = clear32_;
@@ -125,7 +120,7 @@ class Resolver {
     std::array<std::uint32_t, 16> index;
     Lanes lanes = 0;
     std::uint32_t any = 0;
-    for_each_lane(left, [&](std::uint32_t k) {
+    for_each_lane(left, [&](std::size_t k) {
       if (!(owners[k] & kPieceBit)) return;
       const std::uint32_t record = records_.of_piece(owners[k] & ~kPieceBit);
       if (record == kNoRecord) return;
@@ -133,11 +128,11 @@ class Resolver {
       lanes |= 1u << k;
     });
     if (lanes == 0) return 0;
-    for_each_lane(0xFFFF & ~lanes, [&](std::uint32_t k) { index[k] = any; });
+    for_each_lane(0xFFFF & ~lanes, [&](std::size_t k) { index[k] = any; });
     std::array<std::uint32_t, 16> bytes;
     const Lanes doubtful = scene_.kernels->shade_records(w_.records.get(), index.data(), x, y, bytes.data()) & lanes;
-    for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
-    for_each_lane(doubtful, [&](std::uint32_t k) {
+    for_each_lane(lanes, [&](std::size_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
+    for_each_lane(doubtful, [&](std::size_t k) {
       w_.doubtful[n_doubtful_++] = {std::uint32_t(base + k), std::uint16_t(x + int(k & 3)),
                                     std::uint16_t(y + int(k >> 2))};
     });
@@ -152,31 +147,28 @@ class Resolver {
     Lanes lanes = 0;
     for (std::uint32_t k = 0; k < 16; ++k) lanes |= std::uint32_t(owners[k] == owner) << k;
     lanes &= left;
-    const bool is_piece = (owner & kPieceBit) != 0;
-    const FastDraw* fast = is_piece ? nullptr : &owners_.fast_draw(owner);
-    const Draw& draw = scene_.frame->draws[is_piece ? owners_.piece(owner & ~kPieceBit).draw : fast->draw];
+    const Draw& draw = scene_.frame->draws[owners_.draw(owner)];
     if (can_texture(draw, format_) && shade_textured(owner, x, y, base, lanes)) return lanes;
-    if (is_piece ? is_surface(draw) : fast->is_surface) {
-      if (fast && !draw.texture && std::popcount(lanes) < kManyLanes) return batch_lanes(owner, x, y, base, lanes);
-      if (shade_surface(draw, owner, x, y, base, lanes)) return lanes;
-    }
+    if (!surfaces_.shade(owner, x, y, lanes)) shade_by_reference(draw, owner, x, y, base, lanes);
+    return lanes;
+  }
+
+  void shade_by_reference(const Draw& draw, std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
     std::array<glm::ivec2, 16> pixels;
     std::array<float, 16> depths;
     std::array<glm::vec4, 16> rgba;
     std::size_t n = 0;
-    for_each_lane(lanes, [&](std::uint32_t k) {
+    for_each_lane(lanes, [&](std::size_t k) {
       depths[n] = w_.tile->depth[base + k];
       pixels[n++] = box_.begin_px + glm::ivec2(x + int(k & 3), y + int(k >> 2));
     });
     Piece made;
-    if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
-    const Piece& p = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit) : made;
+    const Piece& p = owners_.piece_of(owner, made);
     FrameStats own;  // of which the samples are counted already
     reference::shade(draw, p, format_, {{pixels.data(), n}, {depths.data(), n}, sample_fx8_}, rgba.data(), own);
     w_.stats.texels_read += own.texels_read;
     n = 0;
-    for_each_lane(lanes, [&](std::uint32_t k) { store(base + k, rgba[n++]); });
-    return lanes;
+    for_each_lane(lanes, [&](std::size_t k) { store(base + k, rgba[n++]); });
   }
 
   /// A 4×4 of one textured triangle that is at hand, straight into the tile.
@@ -197,8 +189,7 @@ class Resolver {
     Textured& kept = (*w_.textured)[owner % w_.textured->size()];
     if (kept.owner != owner) {
       Piece made;
-      if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
-      const Piece& p = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit) : made;
+      const Piece& p = owners_.piece_of(owner, made);
       const auto* triangle = std::get_if<reference::Triangle>(&p.shape);
       if (!triangle || triangle->polygon) return false;
       kept = {owner, make_textured(scene_.frame->draws[p.draw], p, box_.begin_px)};
@@ -206,7 +197,7 @@ class Resolver {
     std::array<std::uint32_t, 16> bytes;
     w_.stats.texels_read += scene_.kernels->shade_textured(kept.triangle, x * 256 + sample_fx8_.x,
                                                            y * 256 + sample_fx8_.y, lanes, bytes.data());
-    for_each_lane(lanes, [&](std::uint32_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
+    for_each_lane(lanes, [&](std::size_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &bytes[k], 4); });
     return true;
   }
 
@@ -218,99 +209,13 @@ class Resolver {
     }
   }
 
-  // ---- Surfaces ----
-
-  static constexpr int kManyLanes = 5;  ///< from which on a triangle is worth a kernel call of its own
-
-  /// Samples of one draw that wait for others of it.
-  struct Batch {
-    std::uint32_t fast_draw = 0;
-    std::size_t n = 0;
-    std::array<std::uint32_t, 16> owners, places;
-    std::array<std::int32_t, 16> x_fx8, y_fx8;
-  };
-
-  Lanes batch_lanes(std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
-    const std::uint32_t fast = w_.residents[owner / kSlotTriangles].fast_draw;
-    Batch& batch = batches_[fast % batches_.size()];
-    if (batch.fast_draw != fast) flush(batch);
-    batch.fast_draw = fast;
-    for_each_lane(lanes, [&](std::uint32_t k) {
-      if (batch.n == 16) flush(batch);
-      batch.owners[batch.n] = owner, batch.places[batch.n] = std::uint32_t(base) + k;
-      batch.x_fx8[batch.n] = (x + int(k & 3)) * 256 + sample_fx8_.x;
-      batch.y_fx8[batch.n] = (y + int(k >> 2)) * 256 + sample_fx8_.y;
-      ++batch.n;
-    });
-    return lanes;
-  }
-
-  void flush(Batch& batch) {
-    if (batch.n == 0) return;
-    for (std::size_t k = batch.n; k < 16; ++k) {
-      batch.owners[k] = batch.owners[0], batch.x_fx8[k] = batch.x_fx8[0], batch.y_fx8[k] = batch.y_fx8[0];
-    }
-    const FastDraw& fast = scene_.fast[batch.fast_draw];
-    FlatJob job = fast.flat_job;
-    job.surface = &fast.surface;
-    job.residents = w_.residents.data(), job.vertices = w_.vertices.get();
-    job.x_fx8 = batch.x_fx8.data(), job.y_fx8 = batch.y_fx8.data();
-    SurfaceSamples samples;
-    scene_.kernels->shade_owners(job, batch.owners.data(), samples);
-    store(samples, [&](auto visit) {
-      for (std::size_t k = 0; k < batch.n; ++k) visit(k, batch.places[k]);
-    });
-    batch.n = 0;
-  }
-
-  /// for_each(visit) calls visit(sample, place in the tile).
-  template <class ForEach>
-  void store(const SurfaceSamples& samples, ForEach for_each) {
-    if (format_ == ColorFormat::rgba8) {
-      std::array<std::uint32_t, 16> bytes;
-      scene_.kernels->store_bytes(samples.rgba[0], bytes.data());
-      for_each(
-          [&](std::size_t k, std::size_t place) { std::memcpy(static_cast<void*>(&w_.rgba8[place]), &bytes[k], 4); });
-    } else {
-      alignas(64) std::array<glm::vec4, 16> colors;
-      scene_.kernels->store_floats(samples, &colors[0].x);
-      for_each([&](std::size_t k, std::size_t place) { w_.rgba32f[place] = colors[k]; });
-    }
-  }
-
-  static bool by_kernel(const Surface& s) {
-    return s.texture->format == TextureFormat::linear && s.sampler.filter != Filter::nearest;
-  }
-
-  /// False if the owner is not a triangle.
-  bool shade_surface(const Draw& draw, std::uint32_t owner, int x, int y, std::size_t base, Lanes lanes) {
-    KeptSurface& kept = (*w_.surfaces)[owner % w_.surfaces->size()];
-    if (kept.owner != owner) {
-      Piece made;
-      if (!(owner & kPieceBit)) owners_.make_piece(owner, made);
-      const Piece& p = owner & kPieceBit ? owners_.piece(owner & ~kPieceBit) : made;
-      if (!std::holds_alternative<reference::Triangle>(p.shape)) return false;
-      kept = {owner, make_surface(draw, format_), make_surface_triangle(draw, p, box_.begin_px)};
-    }
-    SurfaceSamples samples;
-    scene_.kernels->shade_surface(kept.surface, kept.triangle, x * 256 + sample_fx8_.x, y * 256 + sample_fx8_.y,
-                                  samples);
-    if (kept.surface.texture) {
-      w_.stats.texels_read += by_kernel(kept.surface)
-                                  ? scene_.kernels->apply_linear_texture(kept.surface, lanes, samples)
-                                  : apply_texture(kept.surface, lanes, samples);
-    }
-    store(samples, [&](auto visit) { for_each_lane(lanes, [&](std::uint32_t k) { visit(k, base + k); }); });
-    return true;
-  }
-
   /// Sixteen at a time by the exact kernel; pieces one by one.
   void shade_doubtful() {
     for (std::size_t i = 0; i < n_doubtful_; ++i) {
       const Doubtful& d = w_.doubtful[i];
       const std::uint32_t owner = w_.tile->owner[d.place];
       if (!(owner & kPieceBit)) {
-        static_cast<void>(batch_lanes(owner, d.x_px, d.y_px, d.place, 1));
+        surfaces_.shade_later(owner, d.x_px, d.y_px);
         continue;
       }
       const Piece& p = owners_.piece(owner & ~kPieceBit);
@@ -327,6 +232,7 @@ class Resolver {
   Worker& w_;
   Owners owners_;
   Records records_;
+  SurfaceResolver surfaces_;
   PixelBox box_;
   glm::ivec2 sample_fx8_;
   glm::ivec2 size_{0, 0};
@@ -337,7 +243,6 @@ class Resolver {
   glm::u8vec4 clear8_{0};
   glm::vec4 clear32_{0.0f};
   std::size_t n_doubtful_ = 0;
-  std::array<Batch, 4> batches_;
 };
 
 }  // namespace

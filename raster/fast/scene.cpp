@@ -160,9 +160,7 @@ void set_colors(const Draw& draw, ColorFormat format, FastDraw& fast) {
   fast.bytes = bytes.r | bytes.g << 8 | bytes.b << 16 | std::uint32_t(bytes.a) << 24;
   fast.scale = {1.0f, 1.0f, 1.0f, 1.0f};
   if (draw.color) fast.scale = {color.r / full, color.g / full, color.b / full, color.a / full};
-  fast.is_surface = is_surface(draw);
-  fast.surface = make_surface(draw, format);
-  FlatJob& job = fast.flat_job;
+  OwnersJob& job = fast.owners_job;
   job.corners = fast.clusters->corners.data();
   job.mesh_vertices = fast.clusters->vertices.data();
   job.colors = draw.colors.empty() ? nullptr : &draw.colors[0].x;
@@ -232,6 +230,8 @@ void make_scene(const Frame& frame, const Image& image, const RenderOptions& opt
   scene.stats = {};
   scene.made.clear();
   scene.made.reserve(frame.draws.size());
+  scene.surfaces.clear();
+  for (const Draw& draw : frame.draws) scene.surfaces.push_back(make_surface(draw, image.format));
   scene.selections.assign(frame.draws.size(), {});
   bool any_pieces = false;
   for (std::uint32_t d = 0; d < frame.draws.size(); ++d) {

@@ -36,9 +36,7 @@ struct FastDraw {
   bool constant = false;  ///< one colour, `bytes`
   std::uint32_t bytes = 0;
   std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};  ///< its colour, of 1, for records
-  bool is_surface = false;
-  Surface surface;
-  FlatJob flat_job;
+  OwnersJob owners_job;                                ///< the draw's share of it
   std::vector<UncleanCluster> unclean;
   std::vector<std::uint32_t> cut;  ///< primitives that become pieces
 };
@@ -50,7 +48,8 @@ struct Scene {
   glm::ivec2 size_px{0, 0};
   std::vector<FastDraw> fast;  ///< [n_fast], and more whose memory is kept
   std::size_t n_fast = 0;
-  std::vector<Clusters> made;  ///< for draws that brought none
+  std::vector<std::optional<Surface>> surfaces;  ///< [draws]
+  std::vector<Clusters> made;                    ///< for draws that brought none
   std::vector<reference::Selection> selections;
   Assembly assembly;
   std::vector<std::size_t> row_first;     ///< [rows of tiles + 1]

@@ -1,4 +1,5 @@
-// Surfaces: colours, light and texture coordinates of sixteen samples, in the reference's order of operations (C7).
+// Surfaces: colours, light and texture coordinates of sixteen samples, in the reference's order of operations (C7), and
+// colours as targets keep them (C8).
 // Compiled once for each instruction set (Highway's re-included headers).
 
 #include <array>
@@ -41,7 +42,7 @@ struct CornerWeights {
   D b[3];
   D sum;  ///< of edge / w
 };
-HWY_INLINE CornerWeights CornerWeightsAt(const SurfaceTriangle& t, D x, D y) {
+HWY_INLINE CornerWeights CornerWeightsAt(const TriangleEdges& t, D x, D y) {
   const Doubles d;
   D q[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -197,6 +198,24 @@ void StoreFloats(const SurfaceSamples& samples, float* rgba) {
     F stored[4];
     for (std::size_t c = 0; c < 4; ++c) stored[c] = Stored(f, hn::Load(f, samples.rgba[c] + lane));
     hn::StoreInterleaved4(stored[0], stored[1], stored[2], stored[3], f, rgba + 4 * lane);
+  }
+}
+
+void StoreBytes(const float* rgba, std::uint32_t* bytes) {
+  const Floats f;
+  const Ints di;
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(f)) {
+    auto packed = hn::Zero(di);
+    for (int c = 3; c >= 0; --c) {
+      const auto v = hn::LoadU(f, rgba + 16 * c + lane);
+      const auto whole = hn::Trunc(v);
+      auto byte = hn::ConvertTo(
+          di, hn::IfThenElse(hn::Ge(hn::Sub(v, whole), hn::Set(f, 0.5f)), hn::Add(whole, hn::Set(f, 1.0f)), whole));
+      byte = hn::IfThenElse(hn::RebindMask(di, hn::Ge(v, hn::Set(f, 255.0f))), hn::Set(di, 255), byte);
+      byte = hn::IfThenElseZero(hn::RebindMask(di, hn::Gt(v, hn::Zero(f))), byte);
+      packed = hn::Or(hn::ShiftLeft<8>(packed), byte);
+    }
+    hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(bytes) + lane);
   }
 }
 

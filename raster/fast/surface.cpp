@@ -20,12 +20,9 @@ void set_uvs(const Draw& draw, const reference::Piece& piece, SurfaceTriangle& t
 
 }  // namespace
 
-bool is_surface(const Draw& draw) {
-  return (!draw.shader.function || lambert_of(draw.shader)) &&
-         !(draw.texture && (draw.uvs.empty() || draw.sampler.filter == Filter::anisotropic));
-}
-
-Surface make_surface(const Draw& draw, ColorFormat format) {
+std::optional<Surface> make_surface(const Draw& draw, ColorFormat format) {
+  if (draw.shader.function && !lambert_of(draw.shader)) return std::nullopt;
+  if (draw.texture && (draw.uvs.empty() || draw.sampler.filter == Filter::anisotropic)) return std::nullopt;
   Surface s;
   s.full = format == ColorFormat::rgba8 ? 255.0f : 1.0f;
   const glm::vec4 color = draw.color.value_or(glm::vec4(s.full));
@@ -41,14 +38,7 @@ Surface make_surface(const Draw& draw, ColorFormat format) {
 
 SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& piece, glm::ivec2 tile_origin_px) {
   const auto& shape = std::get<reference::Triangle>(piece.shape);
-  SurfaceTriangle t;
-  const std::array<reference::EdgeFunction, 3> edges = reference::edges_of(shape);
-  for (std::size_t i = 0; i < 3; ++i) {
-    t.edge_x[i] = -double(edges[i].dy), t.edge_y[i] = double(edges[i].dx);
-    t.edge_c[i] = double(edges[i].at(tile_origin_px * 256));
-    t.w[i] = shape.v[i].w;
-  }
-  t.affine = shape.affine;
+  SurfaceTriangle t{make_triangle_edges(shape, tile_origin_px * 256)};
   t.clipped = shape.polygon != nullptr;
   t.front_facing = piece.front_facing;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "raster/fast/triangle_edges.h"
 #include "raster/image.h"
 #include "raster/reference/assemble.h"
 
@@ -21,12 +23,10 @@ struct Surface {
   Sampler sampler;
 };
 
-/// A triangle of a surface, relative to a tile. Small i is the canonical vertex (C7); of a clipped primitive the
-/// attributes are its own vertices', and `polygon` weighs them.
-struct SurfaceTriangle {
-  // Exact: whole numbers below 2^53. Edge i at p is edge_x·p.x + edge_y·p.y + edge_c, p in 1/256 px.
-  std::array<double, 3> edge_x{}, edge_y{}, edge_c{}, w{};
-  bool affine = true, clipped = false, front_facing = true;
+/// A triangle of a surface, relative to a tile; of a clipped primitive the attributes are its own vertices', and
+/// `polygon` weighs them.
+struct SurfaceTriangle : TriangleEdges {
+  bool clipped = false, front_facing = true;
   std::array<std::array<double, 3>, 3> polygon{};        ///< [corner][vertex]
   std::array<std::array<float, 3>, 4> colors{};          ///< [channel][vertex]
   std::array<std::array<float, 3>, 3> normals{};         ///< [axis][vertex]
@@ -42,11 +42,11 @@ struct SurfaceSamples {
   alignas(64) double rho_squared[16];  ///< likewise, if the filter is trilinear: of the longer derivative, texels
 };
 
-/// Whether a draw's triangles can be shaded as surfaces: no shader but lambert_shader, no anisotropic filter.
-[[nodiscard]] bool is_surface(const Draw& draw);
-[[nodiscard]] Surface make_surface(const Draw& draw, ColorFormat format);
+/// None if the draw's triangles cannot be shaded as a surface's: by another shader than lambert_shader, or an
+/// anisotropic filter.
+[[nodiscard]] std::optional<Surface> make_surface(const Draw& draw, ColorFormat format);
 
-/// piece: a Triangle, of a draw that is_surface
+/// piece: a Triangle
 [[nodiscard]] SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& piece,
                                                     glm::ivec2 tile_origin_px);
 

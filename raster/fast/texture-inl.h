@@ -16,8 +16,8 @@
 #define LODE_RASTER_FAST_TEXTURE_INL_H_
 #endif
 
-#include "raster/fast/flat-inl.h"
 #include "raster/fast/lambda-inl.h"
+#include "raster/fast/surface-inl.h"
 #include "raster/fast/texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,9 +25,7 @@ namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
 /// One bit for each lane of Ints that is not 0.
-HWY_INLINE std::uint32_t BitsOf(I lanes) {
-  return BitsOf(Ints(), hn::Ne(lanes, hn::Zero(Ints())));
-}
+HWY_INLINE std::uint32_t BitsOf(I lanes) { return BitsOf(Ints(), hn::Ne(lanes, hn::Zero(Ints()))); }
 
 /// One bit of `lanes` for each lane of Ints.
 HWY_INLINE hn::Mask<Ints> LanesOf(std::uint32_t lanes) {

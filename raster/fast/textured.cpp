@@ -10,19 +10,15 @@ namespace {
 constexpr double kTile_px = 128.0;  ///< planes are bounded this far from the tile's corner
 
 void set_edges(TexturedTriangle& t) {
+  static_cast<TriangleEdges&>(t) = make_triangle_edges(t.shape, t.origin_fx8);
   const std::array<reference::EdgeFunction, 3> edges = reference::edges_of(t.shape);
   for (std::size_t i = 0; i < 3; ++i) {
-    t.edge_x[i] = -double(edges[i].dy);
-    t.edge_y[i] = double(edges[i].dx);
-    t.edge_c[i] = double(edges[i].at(t.origin_fx8));
     t.bias[i] = double(edges[i].bias);
     t.z[i] = t.shape.v[i].z;
-    t.w[i] = t.shape.v[i].w;
   }
   t.area = (t.edge_c[0] + t.edge_c[1]) + t.edge_c[2];
   t.z_low = std::min({t.z[0], t.z[1], t.z[2]});
   t.z_high = std::max({t.z[0], t.z[1], t.z[2]});
-  t.affine = t.shape.affine;
 }
 
 /// Σ weightᵢ·aᵢ as a plane.

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "raster/fast/triangle_edges.h"
 #include "raster/image.h"
 #include "raster/level_of_detail.h"
 #include "raster/reference/assemble.h"
@@ -22,14 +23,12 @@ struct Plane {
   double x = 0.0, y = 0.0, c = 0.0;
 };
 
-/// One triangle that was not clipped, relative to a tile. Small i is the canonical vertex (C7).
-struct TexturedTriangle {
-  // Exact: whole numbers below 2^53. Edge i at p is edge_x·p.x + edge_y·p.y + edge_c, p in 1/256 px; inside is ≥ bias.
-  std::array<double, 3> edge_x{}, edge_y{}, edge_c{}, bias{};
-  std::array<double, 3> z{}, w{};
+/// One triangle that was not clipped, relative to a tile.
+struct TexturedTriangle : TriangleEdges {
+  std::array<double, 3> bias{};  ///< inside is edge ≥ bias
+  std::array<double, 3> z{};
   double area = 1.0;  ///< doubled, 1/256² px²: the sum of the edge values
   double z_low = 0.0, z_high = 0.0;
-  bool affine = true;  ///< the three w are bitwise equal: the weights' sum is 1 everywhere
 
   // Approximate, for samples inside the triangle and the tile. Where `bounded` is false no bound is of use.
   bool bounded = false;

@@ -2,6 +2,7 @@
 /// One tile of a frame: visibility first, front to back, then each visible sample's colour once, then what is ordered.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -36,6 +37,12 @@ struct Waiting {
   }
 };
 
+/// Visits the samples of a 4×4 that have a bit in `lanes`.
+template <class Visit>
+void for_each_lane(std::uint32_t lanes, Visit visit) {
+  for (; lanes != 0; lanes &= lanes - 1) visit(std::size_t(std::countr_zero(lanes)));
+}
+
 struct TileBytes {
   alignas(64) glm::u8vec4 rgba8[kTilePixels];
 };
@@ -49,7 +56,6 @@ struct Textured {
 /// A triangle made ready for exact shading, and whose it is.
 struct KeptSurface {
   std::uint32_t owner = kNoOwner;
-  Surface surface;
   SurfaceTriangle triangle;
 };
 
@@ -94,8 +100,18 @@ class Owners {
   [[nodiscard]] bool key_before(std::uint32_t a, std::uint32_t b) const;
   /// The sign of the unsnapped determinant of a triangle of the cluster in a slot.
   [[nodiscard]] int facing_sign(std::uint32_t slot, std::uint32_t triangle) const;
+  /// Which of the frame's draws it is of.
+  [[nodiscard]] std::uint32_t draw(std::uint32_t owner) const {
+    return owner & kPieceBit ? piece(owner & ~kPieceBit).draw : fast_draw(owner).draw;
+  }
   /// A kernel's triangle as the reference has it; its bounds are the tile's.
   void make_piece(std::uint32_t owner, Piece& p) const;
+  /// The owner as the reference has it: the scene's, or made in `room`.
+  [[nodiscard]] const Piece& piece_of(std::uint32_t owner, Piece& room) const {
+    if (owner & kPieceBit) return piece(owner & ~kPieceBit);
+    make_piece(owner, room);
+    return room;
+  }
 
  private:
   struct Key {

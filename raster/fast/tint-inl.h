@@ -12,36 +12,26 @@
 #define LODE_RASTER_FAST_TINT_INL_H_
 #endif
 
-#include "raster/fast/flat-inl.h"
+#include "raster/fast/surface-inl.h"
 #include "raster/fast/texture-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lode::raster::fast {
 namespace HWY_NAMESPACE {
 
-/// Weights of the vertices at as many samples as Doubles has lanes, from lane `first` of a 4×4 on: rounded once (C7).
-struct Weights {
-  hn::Vec<HalfFloats> b[3];
-};
-HWY_INLINE Weights WeightsAt(const TexturedTriangle& t, int x_fx8, int y_fx8, std::size_t first) {
+/// Weights of the vertices at half of the lanes, from lane `first` of a 4×4 on: rounded once (C7).
+HWY_INLINE HalfWeights WeightsAt(const TexturedTriangle& t, int x_fx8, int y_fx8, std::size_t first) {
   const Doubles d;
   const HalfInts i32;
   const HalfFloats f;
   const auto x = hn::PromoteTo(d, hn::Add(hn::Set(i32, x_fx8), hn::Load(i32, kLaneX_fx8 + first)));
   const auto y = hn::PromoteTo(d, hn::Add(hn::Set(i32, y_fx8), hn::Load(i32, kLaneY_fx8 + first)));
-  D q[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    q[k] = hn::Add(hn::Add(hn::Mul(hn::Set(d, t.edge_x[k]), x), hn::Mul(hn::Set(d, t.edge_y[k]), y)),
-                   hn::Set(d, t.edge_c[k]));  // exact
-    if (!t.affine) q[k] = hn::Div(q[k], hn::Set(d, t.w[k]));
-  }
-  const auto sum = hn::Add(hn::Add(q[0], q[1]), q[2]);
-  return {
-      {hn::DemoteTo(f, hn::Div(q[0], sum)), hn::DemoteTo(f, hn::Div(q[1], sum)), hn::DemoteTo(f, hn::Div(q[2], sum))}};
+  const CornerWeights w = CornerWeightsAt(t, x, y);
+  return {{hn::DemoteTo(f, w.b[0]), hn::DemoteTo(f, w.b[1]), hn::DemoteTo(f, w.b[2])}};
 }
 
 /// The draw's colour times the vertices', of 255: channel c.
-HWY_INLINE hn::Vec<HalfFloats> ColorAt(const TexturedTriangle& t, const Weights& weights, std::size_t c) {
+HWY_INLINE hn::Vec<HalfFloats> ColorAt(const TexturedTriangle& t, const HalfWeights& weights, std::size_t c) {
   const HalfFloats f;
   const auto color = hn::Set(f, t.color[c]);
   if (!t.has_vertex_colors) return color;
@@ -58,7 +48,7 @@ HWY_INLINE void Tint(const TexturedTriangle& t, int x_fx8, int y_fx8, std::uint3
   const HalfFloats f;
   alignas(64) float rgba[64];
   for (std::size_t first = 0; first < 16; first += hn::Lanes(d)) {
-    Weights weights{};
+    HalfWeights weights{};
     if (t.has_vertex_colors) weights = WeightsAt(t, x_fx8, y_fx8, first);
     auto texels = hn::LoadU(i32, reinterpret_cast<const std::int32_t*>(bytes) + first);
     for (std::size_t c = 0; c < 4; ++c) {

@@ -44,7 +44,7 @@ void shade_owners(benchmark::State& state, const Kernels* kernels) {
   std::int32_t x_fx8[16], y_fx8[16];
   Surface surface;
   surface.has_vertex_colors = true, surface.full = 255.0f;
-  FlatJob job;
+  OwnersJob job;
   job.surface = &surface;
   job.residents = &resident;
   job.vertices = &colored.cluster.vertices;

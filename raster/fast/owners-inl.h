@@ -1,4 +1,4 @@
-// Surfaces of samples that have an owner each (C7), and colours to bytes (C8).
+// Surfaces of samples that have an owner each (C7).
 // Compiled once for each instruction set (Highway's re-included headers).
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 
 #include "raster/fast/kernels.h"
 
-#if defined(LODE_RASTER_FAST_FLAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef LODE_RASTER_FAST_FLAT_INL_H_
-#undef LODE_RASTER_FAST_FLAT_INL_H_
+#if defined(LODE_RASTER_FAST_OWNERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LODE_RASTER_FAST_OWNERS_INL_H_
+#undef LODE_RASTER_FAST_OWNERS_INL_H_
 #else
-#define LODE_RASTER_FAST_FLAT_INL_H_
+#define LODE_RASTER_FAST_OWNERS_INL_H_
 #endif
 
 #include "raster/fast/lanes-inl.h"
@@ -27,7 +27,7 @@ struct OwnedTriangles {
   hn::Vec<HalfInts> first_vertex, resident;
   hn::Vec<HalfInts> turned;  ///< all bits set where the order turned the triangle over
 };
-HWY_INLINE OwnedTriangles TrianglesOf(const FlatJob& job, const std::uint32_t* owners) {
+HWY_INLINE OwnedTriangles TrianglesOf(const OwnersJob& job, const std::uint32_t* owners) {
   const HalfInts i32;
   static_assert(sizeof(WindowVertices128) == 3072 && sizeof(Resident) == 16);
   const auto* residents = reinterpret_cast<const std::int32_t*>(job.residents);
@@ -71,7 +71,7 @@ struct OwnedWeights {
   hn::Vec<HalfFloats> b[3];
   hn::Vec<HalfInts> front;
 };
-HWY_INLINE OwnedWeights WeightsOf(const FlatJob& job, const OwnedTriangles& t, std::size_t lane) {
+HWY_INLINE OwnedWeights WeightsOf(const OwnersJob& job, const OwnedTriangles& t, std::size_t lane) {
   const Doubles d;
   const HalfInts i32;
   const HalfFloats f;
@@ -107,7 +107,7 @@ HWY_INLINE OwnedWeights WeightsOf(const FlatJob& job, const OwnedTriangles& t, s
   return result;
 }
 
-void ShadeOwners(const FlatJob& job, const std::uint32_t* owners, SurfaceSamples& out) {
+void ShadeOwners(const OwnersJob& job, const std::uint32_t* owners, SurfaceSamples& out) {
   const HalfInts i32;
   const Ints di;
   const Floats f;
@@ -135,24 +135,6 @@ void ShadeOwners(const FlatJob& job, const std::uint32_t* owners, SurfaceSamples
       return hn::GatherIndex(f, job.normals + (c - 4), hn::Add(vertex[i], hn::Add(vertex[i], vertex[i])));
     };
     StoreColors(*job.surface, b, front, attribute, lane, out);
-  }
-}
-
-void StoreBytes(const float* rgba, std::uint32_t* bytes) {
-  const Floats f;
-  const Ints di;
-  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(f)) {
-    auto packed = hn::Zero(di);
-    for (int c = 3; c >= 0; --c) {
-      const auto v = hn::LoadU(f, rgba + 16 * c + lane);
-      const auto whole = hn::Trunc(v);
-      auto byte = hn::ConvertTo(
-          di, hn::IfThenElse(hn::Ge(hn::Sub(v, whole), hn::Set(f, 0.5f)), hn::Add(whole, hn::Set(f, 1.0f)), whole));
-      byte = hn::IfThenElse(hn::RebindMask(di, hn::Ge(v, hn::Set(f, 255.0f))), hn::Set(di, 255), byte);
-      byte = hn::IfThenElseZero(hn::RebindMask(di, hn::Gt(v, hn::Zero(f))), byte);
-      packed = hn::Or(hn::ShiftLeft<8>(packed), byte);
-    }
-    hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(bytes) + lane);
   }
 }
 
