@@ -45,7 +45,7 @@ Camera camera_at(const CameraPath& path, int frame) {
   check_path(path, frame);
   const double distance = length(path) * (double(frame) / double(path.n_frames - 1));
   Camera camera = walking_camera();
-  look_at(camera, point_along(path, distance), point_along(path, distance + path.look_ahead));
+  look_at(camera, point_along(path, distance), path.target.value_or(point_along(path, distance + path.look_ahead)));
   return camera;
 }
 

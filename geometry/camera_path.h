@@ -1,7 +1,9 @@
 #pragma once
-/// A walk through a scene: a camera that goes along points at constant speed and looks at where it will be.
+/// A walk through a scene: a camera that goes along points at constant speed and looks at where it will be,
+/// or at one point.
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +17,10 @@ namespace lode::geometry {
 /// infinite.
 struct CameraPath {
   std::string name;
-  std::vector<glm::dvec3> points;  ///< [≥ 2], world, neighbours not equal
-  int n_frames = 600;              ///< ≥ 2
-  double look_ahead = 6.0;         ///< along the path, world units, > 0
+  std::vector<glm::dvec3> points;         ///< [≥ 2], world, neighbours not equal
+  int n_frames = 600;                     ///< ≥ 2
+  double look_ahead = 6.0;                ///< along the path, world units, > 0
+  std::optional<glm::dvec3> target = {};  ///< looked at all the way instead
 };
 
 /// In world units.

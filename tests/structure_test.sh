@@ -41,7 +41,7 @@ door() {  # HEADER_REGEX WHERE_REGEX
 }
 door '(tbb|oneapi)/' 'raster/parallel'
 door 'thread>' 'raster/parallel'
-door 'hwy/' 'raster/'
+door 'hwy/' '(raster/|techniques/masked_occlusion/occluder_kernels)'
 door 'boost/' '(raster/|geometry/predicates)'
 door 'embree' 'geometry/ray_query'
 door 'OpenImageIO/' 'geometry/image_file'

@@ -5,6 +5,8 @@
 
 #include "experiments/error.h"
 #include "geometry/procedural/furniture.h"
+#include "geometry/procedural/house.h"
+#include "geometry/procedural/houses.h"
 #include "geometry/procedural/interior.h"
 #include "geometry/procedural/kit_scenes.h"
 #include "geometry/procedural/town.h"
@@ -30,10 +32,19 @@ std::string assets(const std::string& scene, const std::string& folder) {
   return std::string(root) + "/" + folder;
 }
 
+Scene rows_of_houses(int n_rows, int n_in_row, const SceneValues& v) {
+  return geometry::houses({.n_rows = n_rows,
+                           .n_in_row = n_in_row,
+                           .n_each = std::size_t(v.at("each")) / 2 * 2,
+                           .seed = std::uint64_t(v.at("seed"))});
+}
+
 }  // namespace
 
 std::vector<BuiltinScene> laboratory_scenes() {
   const Parameter seed = {"seed", "of the random numbers", 0, 9007199254740992.0, 1, true};
+  const Parameter each = {"each", "triangles of a house, made even", double(geometry::kFewestHouseTriangles), 1e6, 4000,
+                          true};
   return {
       {"table",
        "A table of 3948 triangles and 2080 vertices",
@@ -55,6 +66,14 @@ std::vector<BuiltinScene> laboratory_scenes() {
        "A flat of 124 models and 629336 triangles in 12 rooms, with a walk: rooms",
        {seed},
        [](const SceneValues& v) { return geometry::interior(std::uint64_t(v.at("seed"))); }},
+      {"houses24",
+       "A street of 24 houses, with two walks: approach, sideways",
+       {each, seed},
+       [](const SceneValues& v) { return rows_of_houses(2, 12, v); }},
+      {"houses200",
+       "Five streets of 200 houses, with two walks: approach, sideways",
+       {each, seed},
+       [](const SceneValues& v) { return rows_of_houses(10, 20, v); }},
       {"kit_city",
        "A street grid assembled from kits/kaykit-city in LODESTONE_ASSETS, with a walk: street",
        {seed},

@@ -22,7 +22,7 @@ void add_rectangle(Mesh& mesh, double x0, double z0, double x1, double z1, doubl
 /// Grid lines at the borders of blocks and streets, so that no edge meets another's middle.
 std::vector<double> grid_lines(int n, double (*first_of)(int)) {
   std::vector<double> lines = {first_of(0) - kStreet};
-  for (int k = 0; k < n; ++k) lines.insert(lines.end(), {first_of(k), first_of(k) + kBlock});
+  for (int k = 0; k < n; ++k) lines.push_back(first_of(k)), lines.push_back(first_of(k) + kBlock);
   lines.push_back(lines.back() + kStreet);
   return lines;
 }

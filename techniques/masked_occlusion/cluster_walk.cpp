@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/frustum.h"
+
 namespace lode::techniques {
 namespace {
 
@@ -47,6 +49,7 @@ std::span<const std::uint32_t> ClusterWalk::worth_drawing(const raster::Draw& dr
   const raster::Clusters& clusters = *draw.clusters;
   const glm::dmat4& clip_from_object = std::get<raster::ObjectVertices>(draw.vertices).clip_from_object;
   const glm::dvec4 eye = eye_of(clip_from_object);
+  const geometry::Frustum frustum = geometry::frustum(clip_from_object);
   by_depth_.clear();
   open_.clear();
   if (!clusters.groups.empty()) open_.push_back(0);
@@ -57,7 +60,7 @@ std::span<const std::uint32_t> ClusterWalk::worth_drawing(const raster::Draw& dr
       const geometry::Bounds box = box_of(group, k);
       if (faces_away(group, k, box, eye, draw.cull)) continue;
       const std::optional<ScreenBox> on_screen = screen_box(clip_from_object, size_px, box);
-      if (on_screen && buffer.hides(*on_screen, n_read)) continue;  // one beside the picture has no pixels
+      if (on_screen ? buffer.hides(*on_screen, n_read) : geometry::is_outside(frustum, box)) continue;
       const std::uint32_t child = group.child[k];
       if ((child & ClusterGroup::kIsCluster) != 0) {
         const float nearest = on_screen ? on_screen->nearest : 2.0f;

@@ -7,18 +7,11 @@
 
 #include "raster/frame.h"
 #include "techniques/masked_occlusion/cluster_walk.h"
+#include "techniques/masked_occlusion/occluder_kernels.h"
 #include "techniques/masked_occlusion/occluder_vertex.h"
 #include "techniques/masked_occlusion/screen_triangle.h"
 
 namespace lode::techniques {
-
-/// Work done, added up.
-struct OccluderWork {
-  std::uint64_t triangles = 0;         ///< looked at
-  std::uint64_t drawn = 0;             ///< of them, with a sample
-  std::uint64_t subtiles_written = 0;  ///< given a part of one
-  std::uint64_t subtiles_read = 0;     ///< to find what is hidden already
-};
 
 /// Draws one draw after the other; keeps its memory.
 class OccluderDrawer {
@@ -27,9 +20,14 @@ class OccluderDrawer {
   /// the snap turns over in part. Of a draw with clusters, leaves out those that would not show.
   ///   draw      triangles in object space, opaque, order-free
   ///   size_px   of the picture, which the buffer was begun with
-  void draw(const raster::Draw& draw, glm::ivec2 size_px, MaskedDepth& buffer, OccluderWork& work);
+  ///   target    of the kernels, which decides nothing
+  void draw(const raster::Draw& draw, glm::ivec2 size_px, raster::Target target, MaskedDepth& buffer,
+            OccluderWork& work);
 
  private:
+  void draw_clusters(const raster::Draw& draw, glm::ivec2 size_px, raster::Target target, MaskedDepth& buffer,
+                     OccluderWork& work);
+
   ClusterWalk walk_;
   std::vector<OccluderVertex> vertices_;
 };

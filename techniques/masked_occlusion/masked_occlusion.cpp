@@ -74,7 +74,7 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
       if (box && buffer_.hides(*box, work.subtiles_read)) {
         ++n_hidden;
       } else {
-        draw_occluder(view, world, id, box, work);
+        draw_occluder(view, stage, id, box, work);
       }
     }
   }
@@ -104,13 +104,15 @@ Counters MaskedOcclusion::draw(const View& view, Stage& stage) {
 
 /// A stand-in is drawn only for an object that lies wholly beyond the near plane: where that cuts a model open, the
 /// picture shows what is behind it, and the stand-in would hide it.
-void MaskedOcclusion::draw_occluder(const View& view, const World& world, ObjectId id, const OnScreen& box,
+void MaskedOcclusion::draw_occluder(const View& view, const Stage& stage, ObjectId id, const OnScreen& box,
                                     OccluderWork& work) {
+  const World& world = stage.world();
   const glm::dmat4 clip_from_world = geometry::clip_from_world(view.camera, view.size_px);
   const WorldObject& object = world.objects()[id];
   if (params_.shape == MaskedShape::meshes) {
     for (std::uint32_t k = 0; k < object.n_instances; ++k) {
-      drawer_.draw(world.draws().draw(object.first_instance + k, clip_from_world), view.size_px, buffer_, work);
+      drawer_.draw(world.draws().draw(object.first_instance + k, clip_from_world), view.size_px,
+                   stage.render_options().target, buffer_, work);
     }
     return;
   }
@@ -121,7 +123,8 @@ void MaskedOcclusion::draw_occluder(const View& view, const World& world, Object
     for (const geometry::Bounds& inner : (*boxes_)[object.shape]) add_box(inner, inset, boxes);
   }
   const StandIn& stand_in = params_.shape == MaskedShape::hulls ? (*hulls_)[object.shape] : boxes;
-  drawer_.draw(stand_in_draw(stand_in, clip_from_world, object.world_from_shape), view.size_px, buffer_, work);
+  drawer_.draw(stand_in_draw(stand_in, clip_from_world, object.world_from_shape), view.size_px,
+               stage.render_options().target, buffer_, work);
 }
 
 }  // namespace lode::techniques

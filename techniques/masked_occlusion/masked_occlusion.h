@@ -49,7 +49,7 @@ class MaskedOcclusion {
 
  private:
   using OnScreen = std::optional<ScreenBox>;
-  void draw_occluder(const View& view, const World& world, ObjectId id, const OnScreen& box, OccluderWork& work);
+  void draw_occluder(const View& view, const Stage& stage, ObjectId id, const OnScreen& box, OccluderWork& work);
 
   Params params_;
   std::vector<double> areas_;                          ///< [objects]

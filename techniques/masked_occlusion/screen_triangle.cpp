@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "techniques/masked_occlusion/subtile_line.h"
+
 namespace lode::techniques {
 namespace {
 
@@ -65,53 +67,6 @@ class EdgeWalk {
   Quotient at_{0, 0}, step_{0, 0};  ///< of a level edge: E − bias itself
 };
 
-/// A depth that the triangle's fragments do not fall below.
-///
-/// The plane is z₀ + a·(x − x₀) + b·(y − y₀). Where its gradient is a quotient of sums, each sum loses at most 2^-51 of
-/// its terms; over the triangle's box that is at most `lost_`. The renderer's depth is within 2^-50 of the plane's, and
-/// both are rounded to float alike.
-class DepthPlane {
- public:
-  DepthPlane(const ScreenTriangle& t, double area) : z0_(t.z[0]), p0_(t.p_fx8[0]) {
-    const glm::dvec2 u(t.p_fx8[1] - t.p_fx8[0]), v(t.p_fx8[2] - t.p_fx8[0]);
-    const double du = t.z[1] - t.z[0], dv = t.z[2] - t.z[0];
-    a_ = (du * v.y - dv * u.y) / area;
-    b_ = (dv * u.x - du * v.x) / area;
-    const glm::dvec2 size = glm::max(glm::abs(u), glm::abs(v)) + glm::abs(u - v);
-    farthest_ = std::min({t.z[0], t.z[1], t.z[2]});
-    const double nearest = std::max({t.z[0], t.z[1], t.z[2]});
-    lost_ = 0x1p-48 * (4.0 * (nearest - farthest_) * (size.x * size.y / std::abs(area)) + nearest);
-  }
-
-  /// Over the samples [first, last].
-  [[nodiscard]] float farthest_in(glm::ivec2 first, glm::ivec2 last) const {
-    const double x = 256.0 * (a_ > 0.0 ? first.x : last.x) + 128.0 - p0_.x;
-    const double y = 256.0 * (b_ > 0.0 ? first.y : last.y) + 128.0 - p0_.y;
-    return float(std::max((z0_ + (a_ * x + b_ * y)) - lost_, farthest_));
-  }
-
- private:
-  double z0_, a_, b_, farthest_, lost_;
-  glm::dvec2 p0_;
-};
-
-/// Samples [first, last] of four rows.
-struct Band {
-  std::int64_t first[kRows], last[kRows];
-};
-
-/// The band's samples in the subtile that begins at x.
-std::uint32_t coverage_at(const Band& band, int x) {
-  std::uint32_t coverage = 0;
-  for (int k = 0; k < kRows; ++k) {
-    const std::int64_t first = std::max<std::int64_t>(band.first[k] - x, 0);
-    const std::int64_t last = std::min<std::int64_t>(band.last[k] - x, 7);
-    if (first > last) continue;
-    coverage |= ((0xFFu >> (7 - last)) & (0xFFu << first)) << (8 * k);
-  }
-  return coverage;
-}
-
 }  // namespace
 
 SampleBox sample_box(const ScreenTriangle& t, glm::ivec2 n_subtiles) {
@@ -133,33 +88,21 @@ std::uint64_t draw_triangle(const ScreenTriangle& t, MaskedDepth& buffer) {
 
   std::uint64_t n_subtiles = 0;
   for (int y = box.first.y; y <= box.last.y;) {
-    // The rows of one line of subtiles.
-    const int subtile_y = y / kRows, first_row = y, end_row = std::min((subtile_y + 1) * kRows, box.last.y + 1);
-    Band band;
-    std::fill(std::begin(band.first), std::end(band.first), 0);
-    std::fill(std::begin(band.last), std::end(band.last), -1);
-    std::int64_t first = box.last.x + 1, last = box.first.x - 1;
+    LineSpans spans;
+    spans.first.fill(0);
+    spans.last.fill(-1);
+    const int first_row = y, end_row = std::min((y / kRows + 1) * kRows, box.last.y + 1);
     for (; y < end_row; ++y) {
-      std::int64_t row_first = box.first.x, row_last = box.last.x;
+      std::int64_t first = box.first.x, last = box.last.x;
       for (EdgeWalk& edge : edges) {
-        edge.narrow(row_first, row_last);
+        edge.narrow(first, last);
         edge.next_row();
       }
-      if (row_first > row_last) continue;
-      band.first[y % kRows] = row_first;
-      band.last[y % kRows] = row_last;
-      first = std::min(first, row_first);
-      last = std::max(last, row_last);
+      if (first > last) continue;
+      spans.first[std::size_t(y % kRows)] = int(first);
+      spans.last[std::size_t(y % kRows)] = int(last);
     }
-    // Its subtiles, each with the bits that lie in it.
-    for (int x = int(first) & ~7; x <= last; x += kSubtileWidth_px) {
-      const std::uint32_t coverage = coverage_at(band, x);
-      if (coverage == 0) continue;
-      const float farthest = plane.farthest_in({std::max(x, int(first)), first_row},
-                                               {std::min(x + kSubtileWidth_px - 1, int(last)), end_row - 1});
-      buffer.add({x / kSubtileWidth_px, subtile_y}, coverage, farthest);
-      ++n_subtiles;
-    }
+    n_subtiles += add_line(spans, {first_row, end_row - 1}, plane, buffer);
   }
   return n_subtiles;
 }
