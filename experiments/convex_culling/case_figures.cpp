@@ -5,6 +5,7 @@
 
 #include "experiments/convex_culling/method_rows.h"
 #include "experiments/convex_culling/names.h"
+#include "experiments/error.h"
 #include "experiments/file_bytes.h"
 #include "experiments/harness/method.h"
 #include "experiments/report/gnuplot.h"
@@ -32,11 +33,20 @@ std::string plot(const Plot& plot, const std::string& caption) {
          "</figcaption></figure>\n";
 }
 
+/// A drawing that the experiment wrote, as it is in the page; nothing if there is none.
+std::string drawing(const std::string& file) {
+  std::string svg = file_bytes(file).value_or("");
+  if (svg.find("<script") != std::string::npos) {
+    throw Error(Status::bad_input, file + ": expected a drawing that lodestone run wrote, found a script in it");
+  }
+  return svg;
+}
+
 /// What the rivals cull in the same view.
 std::string rivals_from_above(const std::string& name) {
   std::string html;
   for (const char* rival : kRivals) {
-    const std::string svg = file_bytes(name + "." + rival + ".top.svg").value_or("");
+    const std::string svg = drawing(name + "." + rival + ".top.svg");
     if (!svg.empty())
       html += "<figure>" + svg + "<figcaption>" + escaped(spoken_name(rival)) + "</figcaption></figure>";
   }
@@ -60,8 +70,8 @@ std::string pictures_of_view(const std::string& name, const std::string& scene, 
     html += picture(name + std::string(kWhole),
                     "View " + frame + ". Convex culling, safe, draws the same picture to the byte.");
   }
-  html += "<figure>" + file_bytes(name + ".top.svg").value_or("") +
-          "<figcaption>The same view from above: objects, by their boxes" + kLegend + "</figcaption></figure></div>\n";
+  html += "<figure>" + drawing(name + ".top.svg") + "<figcaption>The same view from above: objects, by their boxes" +
+          kLegend + "</figcaption></figure></div>\n";
   html += rivals_from_above(name);
   if (path == kRandomViewpoints) return html;
   return html + "<p class=\"again\">Again: <code>" +

@@ -24,7 +24,7 @@ double now_ms() {
 struct Request {
   ViewRequest view;
   Look look;
-  int n_repeat = 1;
+  int n_repeat = 1, n_before = 0;
   double orbit_rad = 0.0;
 };
 
@@ -35,8 +35,11 @@ Request read_options(const RenderOptions& options) {
     fail_value("--repeat", "a whole number 1 to 1000000", options.repeat);
   }
   request.n_repeat = int(*repeat);
+  const std::optional<std::int64_t> after = whole_number_in(options.after);
+  if (!after || *after < 0 || *after > 1'000'000) fail_value("--after", "a whole number 0 to 1000000", options.after);
+  request.n_before = int(*after);
   request.orbit_rad = read_number("--orbit", options.orbit) * geometry::kPi / 180.0;
-  if (!(std::abs(request.orbit_rad) * request.n_repeat <= 1e6))
+  if (!(std::abs(request.orbit_rad) * (request.n_before + request.n_repeat) <= 1e6))
     fail_value("--orbit", "fewer degrees in all", options.orbit);
 
   const OutputPaths& outputs = options.outputs;
@@ -109,8 +112,9 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
   FrameRenderer renderer(request, view, common.render_options());
   report.prepare_ms = now_ms() - prepare_begin_ms;
 
-  // The first frame warms up, and is the one that is written and hashed, with all the planes that this takes. Frames
-  // that are timed have colour and depth, and ids if they are written.
+  // Frames before are drawn for what a technique remembers. The first frame warms up, and is the one that is written
+  // and hashed, with all the planes that this takes. Frames that are timed have colour and depth, and ids if they are
+  // written.
   const bool with_stats = options.outputs.stats.has_value(), single = request.view.n_samples == 1;
   const int n_timed = with_stats || request.n_repeat > 1 ? request.n_repeat : 0;
   raster::Planes first_planes = files.planes(), timed_planes = first_planes;
@@ -123,15 +127,17 @@ void render_view(const Request& request, const SceneView& view, const RenderOpti
   raster::Image timed;
   if (n_timed > 0) timed = make_target(view.size_px, format, timed_planes);
 
-  Progress progress(streams, common, "rendering", "tiles",
-                    std::uint64_t(1 + n_timed) * raster::n_tiles(view.size_px, common.render_options()));
-  report.counters = renderer.render(0, first, progress);
+  Progress progress(
+      streams, common, "rendering", "tiles",
+      std::uint64_t(request.n_before + 1 + n_timed) * raster::n_tiles(view.size_px, common.render_options()));
+  for (int k = 0; k < request.n_before; ++k) static_cast<void>(renderer.render(k, first, progress));
+  report.counters = renderer.render(request.n_before, first, progress);
   report.technique = request.look.technique.entry->name;
   report.technique_counters = renderer.technique_counters();
   report.stage = renderer.stage().work();
   for (int k = 0; k < n_timed; ++k) {
     const double begin_ms = now_ms();
-    static_cast<void>(renderer.render(k, timed, progress));
+    static_cast<void>(renderer.render(request.n_before + k, timed, progress));
     report.frames_ms.push_back(now_ms() - begin_ms);
   }
   progress.finish();

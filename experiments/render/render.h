@@ -15,6 +15,7 @@ struct RenderOptions {
   bool no_color = false;     ///< depth and ids only
   std::string repeat = "1";  ///< frames that are timed
   std::string orbit = "0";   ///< degrees that the camera turns by from frame to frame
+  std::string after = "0";   ///< frames that come before those
 };
 
 /// Runs the command. Throws Error, geometry::Error or raster::Error; then no output has appeared but what

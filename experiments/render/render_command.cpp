@@ -24,7 +24,8 @@ constexpr const char* kFooter =
     "--stats has, as JSON: frame_ms (median, min, max of the frames of --repeat, each from clear to finished image,\n"
     "after one warm-up), prepare_ms (once per scene: colours, textures with mips, clusters of triangles), the\n"
     "renderer's counters, and the SHA-256 of each plane. Timed frames have colour and depth, and ids only with --ids.\n"
-    "Every frame renders as if its camera were new.\n";
+    "Every frame renders as if its camera were new, but for techniques that keep pictures from frame to frame: what\n"
+    "they do after some frames of an orbit is seen with --after.\n";
 
 }  // namespace
 
@@ -37,6 +38,8 @@ void add_render_options(CLI::App& app, RenderOptions& options) {
   app.add_option("--orbit", options.orbit,
                  "Turn the camera about the scene's centre from frame to frame; outputs are of the first")
       ->option_text("DEG");
+  app.add_option("--after", options.after, "Frames of the orbit to draw before the first (default 0)")
+      ->option_text("N");
 }
 
 Command render_command() {
@@ -48,7 +51,8 @@ Command render_command() {
                        "lodestone render sphere:segments=200 --eye 3,2,4 --look-at 0,0,0 --fov 30 --out sphere.png",
                        "lodestone render model.gltf --camera 0 --size 512x512 --depth depth.exr --ids ids.npy",
                        "lodestone render terrain --clear 0.5,0.7,0.9,1 --samples 16 --out terrain.png",
-                       "lodestone render spheres --repeat 20 --orbit 5 --stats -"},
+                       "lodestone render spheres --repeat 20 --orbit 5 --stats -",
+                       "lodestone render houses24 --technique image_reuse --orbit 0.1 --after 10 --out later.png"},
           .add_options = [options](CLI::App& app) { add_render_options(app, *options); },
           .run =
               [options](const CommonOptions& common, const Streams& streams) {

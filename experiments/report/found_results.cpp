@@ -49,9 +49,14 @@ Row::Value value_of(const std::string& text) {
   return text;
 }
 
+std::string count_text(const json& count) {
+  if (!count.is_number_unsigned()) throw json::other_error::create(501, "expected a whole number", &count);
+  return std::to_string(count.get<std::uint64_t>());
+}
+
 std::string machine_text(const json& m) {
-  return m.at("processor").get<std::string>() + ", " + std::to_string(m.at("processors").get<int>()) + " processors, " +
-         std::to_string(m.at("threads").get<int>()) + " threads, " + m.at("target").get<std::string>() + ", " +
+  return m.at("processor").get<std::string>() + ", " + count_text(m.at("processors")) + " processors, " +
+         count_text(m.at("threads")) + " threads, " + m.at("target").get<std::string>() + ", " +
          m.at("compiler").get<std::string>() + ", " + m.at("build").get<std::string>();
 }
 
@@ -86,7 +91,9 @@ FoundResults read_results(const std::string& folder) {
     found.size = summary.at("size");
     found.command = summary.at("command");
     found.machine = machine_text(summary.at("machine"));
-    if (!rows_of(summary.at("summary").dump(), found.summary)) throw Error(Status::bad_input, "");
+    if (!rows_of(summary.at("summary").dump(), found.summary)) {
+      throw Error(Status::bad_input, path + ": summary: expected rows of numbers and words");
+    }
   } catch (const json::exception&) {
     throw Error(Status::bad_input, path + ": expected the summary that lodestone run writes");
   }

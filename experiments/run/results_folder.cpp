@@ -14,9 +14,27 @@ namespace fs = std::filesystem;
   throw Error(Status::bad_input, path + ": " + what + ": " + error.message());
 }
 
+/// What stands in the way must be what a run wrote.
+void expect_older_results(const std::string& folder) {
+  const auto refuse = [](const std::string& path) {
+    throw Error(Status::bad_input, path + ": expected nothing, or results of an earlier run, which these replace: " +
+                                       "remove it, or choose another --out");
+  };
+  const fs::file_status status = fs::symlink_status(folder);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) refuse(folder);
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "results.csv" && name != "times.csv" && name != "summary.json" && name != "images") {
+      refuse(entry.path().string());
+    }
+  }
+}
+
 }  // namespace
 
 ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
+  expect_older_results(folder);
   const fs::path path(folder);
   hidden_ = (path.parent_path() / ("." + path.filename().string() + ".unfinished")).string();
   std::error_code error;
@@ -24,6 +42,11 @@ ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
   if (error) fail(hidden_, "cannot be removed", error);
   fs::create_directories(images(), error);
   if (error) fail(images(), "cannot be made", error);
+}
+
+ResultsFolder::~ResultsFolder() {
+  std::error_code ignored;
+  fs::remove_all(hidden_, ignored);
 }
 
 void ResultsFolder::publish(const ExperimentResults& results, const std::string& summary_json) {

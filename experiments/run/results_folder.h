@@ -10,8 +10,13 @@ namespace lode::experiments {
 
 class ResultsFolder {
  public:
-  /// `folder` is DIR/EXPERIMENT. Makes the hidden one, empty but for images/. Throws Error (bad_input, machine_failed).
+  /// `folder` is DIR/EXPERIMENT. Makes the hidden one, empty but for images/. Throws Error (bad_input, machine_failed),
+  /// also if what is there is not what `publish` writes.
   explicit ResultsFolder(const std::string& folder);
+  /// What was not published is gone.
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
 
   [[nodiscard]] std::string images() const { return hidden_ + "/images"; }
 

@@ -60,7 +60,13 @@ ordered_json rows_as_json(const std::vector<Row>& rows) { return ordered_json::p
 std::string summary_json(const Experiment& experiment, const ExperimentRun& run, const ExperimentResults& results) {
   const Machine machine = this_machine();
   ordered_json parameters = ordered_json::object();
-  for (const Parameter& p : experiment.parameters) parameters[p.name] = value_text(p, run.values.at(p.name));
+  std::string command = "lodestone run " + experiment.name + (run.full ? " --size full" : "");
+  if (run.seed != 1) command += " --seed " + std::to_string(run.seed);
+  for (const Parameter& p : experiment.parameters) {
+    const double value = run.values.at(p.name);
+    parameters[p.name] = value_text(p, value);
+    if (value != p.default_value) command += " --set " + p.name + "=" + value_text(p, value);
+  }
   const ordered_json json = {{"experiment", experiment.name},
                              {"question", experiment.summary},
                              {"size", run.full ? "full" : "quick"},
@@ -74,8 +80,7 @@ std::string summary_json(const Experiment& experiment, const ExperimentRun& run,
                                {"target", target_name(run.common.pipeline, run.common.target)},
                                {"compiler", machine.compiler},
                                {"build", machine.build}}},
-                             {"command", "lodestone run " + experiment.name + (run.full ? " --size full" : "") +
-                                             (run.seed != 1 ? " --seed " + std::to_string(run.seed) : "")},
+                             {"command", command},
                              {"summary", rows_as_json(results.summary)}};
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -103,6 +108,7 @@ Status run(const RunOptions& options, const CommonOptions& common, const Streams
   const std::vector<const Experiment*> experiments = chosen(options);
   const std::size_t size = read_choice("--size", options.size, kSizes);
   const std::optional<std::int64_t> seed = whole_number_in(options.seed);
+  if (options.out.empty()) fail_value("--out", "a folder", options.out);
   if (!seed || *seed < 0) fail_value("--seed", "a whole number from 0 on", options.seed);
   std::vector<ExperimentRun> runs;
   for (const Experiment* experiment : experiments) {

@@ -67,12 +67,13 @@ void ImageReuse::look_at(const View& view, ObjectId id, Stage& stage) {
     ++work_.near;
     return stage.object(id);
   }
-  const glm::dvec2 pixel = pixel_size_at(view, centre);
+  const bool plate_is_seen = plane_in_view(view, centre);
   const glm::dvec3 direction = viewing_direction(centre, view.camera.eye, params_.angle);
   double turned = kNoPicture;
-  if (const std::optional<Kept>& kept = kept_[id]; kept && pixel.x > 0.0) {
+  if (const std::optional<Kept>& kept = kept_[id]; kept && plate_is_seen) {
     turned = angle_measure(kept->direction, direction);
-    const bool grown = params_.magnification > 0.0 && kept->sides.pixel > params_.magnification * pixel.x;
+    const bool grown =
+        params_.magnification > 0.0 && kept->sides.pixel > params_.magnification * pixel_size_at(view, centre).x;
     if (!grown && (turned < threshold_ || params_.threshold_deg >= 180.0)) {
       ++work_.reused;
       return show(view, id, stage);
@@ -82,7 +83,7 @@ void ImageReuse::look_at(const View& view, ObjectId id, Stage& stage) {
   // A picture larger than the view's would cost more than the object's own pixels do; what the screen's edge cuts, the
   // paper's copy of the frame buffer does not have.
   const bool fits =
-      window_px && glm::max(window_px->size_px.x, window_px->size_px.y) <= kMostSide_px &&
+      plate_is_seen && window_px && glm::max(window_px->size_px.x, window_px->size_px.y) <= kMostSide_px &&
       std::int64_t(window_px->size_px.x) * window_px->size_px.y <= std::int64_t(view.size_px.x) * view.size_px.y &&
       (params_.placement == PlatePlacement::corrected || lies_within(*window_px, view.size_px));
   if (!fits) {

@@ -43,7 +43,7 @@ class ImageReuse {
   void prepare(Stage& stage);
   void cut() { forget_ = true; }
   /// Counters: objects_in_view, near (drawn since they are), reused, captured, postponed (captures over the limit of a
-  /// frame), unfit (drawn since no picture of them would do or fit), evicted, picture_bytes.
+  /// frame), unfit (drawn since no plate of them would be seen, or fit), evicted, picture_bytes.
   /// Throws raster::Error (bad_input if the world's colours are raw; out_of_memory).
   Counters draw(const View& view, Stage& stage);
 

@@ -1,5 +1,6 @@
 #include "techniques/image_reuse/plate_placement.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "techniques/screen_box.h"
@@ -11,6 +12,12 @@ std::optional<raster::Rect> capture_window(const View& view, const geometry::Bou
   const std::optional<ScreenBox> seen = whole_screen_box(clip_from_world, view.size_px, box);
   if (!seen || seen->empty()) return std::nullopt;
   return raster::Rect{seen->first_px - 1, seen->last_px - seen->first_px + 3};
+}
+
+bool plane_in_view(const View& view, const glm::dvec3& point) {
+  constexpr double kMargin = 0x1p-30;  // of the distance: corners are rounded
+  const double distance = glm::dot(view.camera.eye - point, view.camera.back), margin = kMargin * std::abs(distance);
+  return distance - margin > view.camera.near && distance + margin < view.camera.far;
 }
 
 glm::dvec2 pixel_size_at(const View& view, const glm::dvec3& point) {

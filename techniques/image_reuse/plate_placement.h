@@ -29,6 +29,9 @@ struct PlateSides {
 /// far outside the picture to tell.
 [[nodiscard]] std::optional<raster::Rect> capture_window(const View& view, const geometry::Bounds& box);
 
+/// Whether the plane through a point that is parallel to the picture lies between the near plane and the far one.
+[[nodiscard]] bool plane_in_view(const View& view, const glm::dvec3& point);
+
 /// World units per pixel, right and down, in the plane through a point. Positive if the point is in front of the eye.
 [[nodiscard]] glm::dvec2 pixel_size_at(const View& view, const glm::dvec3& point);
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "experiments/error.h"
 #include "experiments/experiment.h"
 #include "experiments/run/results_folder.h"
 #include "tests/experiments/run_program.h"
@@ -26,6 +27,7 @@ TEST(Run, RefusesWhatItDoesNotKnowInOneLine) {
   refused({"convex_culling", "--size", "huge"}, "--size: expected quick or full, found \"huge\"");
   refused({"convex_culling", "--seed", "-1"}, "--seed: expected a whole number from 0 on, found \"-1\"");
   refused({"convex_culling", "convex_approximation", "--set", "k=1"}, "--set: expected EXPERIMENT.NAME=VALUE");
+  refused({"convex_culling", "--out", ""}, "--out: expected a folder, found \"\"");
   refused({}, "EXPERIMENT");
   EXPECT_EQ(run_lodestone({"run", "convex_culling", "--set", "k=1"}).status, 3);
   const auto moon = run_lodestone({"run", "convex_culling", "--set", "scene=moon"});
@@ -42,11 +44,12 @@ TEST(Run, IsListed) {
 TEST(ResultsFolder, AppearsWholeAndReplacesAnOlderOne) {
   const TemporaryFolder folder;
   const std::string at = folder.path("out/experiment");
-  folder.write("out/experiment/old.txt", "old");
+  folder.write("out/experiment/results.csv", "old");
   {
     const ResultsFolder abandoned(at);  // a run that failed
-    EXPECT_TRUE(std::filesystem::exists(at + "/old.txt"));
+    EXPECT_TRUE(std::filesystem::exists(at + "/results.csv"));
   }
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out/.experiment.unfinished")));
   ResultsFolder results(at);
   ExperimentResults found;
   found.results.emplace_back().add("n", std::int64_t(1));
@@ -57,6 +60,23 @@ TEST(ResultsFolder, AppearsWholeAndReplacesAnOlderOne) {
   int n_beside = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path("out"))) n_beside += entry.exists() ? 1 : 0;
   EXPECT_EQ(n_beside, 1);
+}
+
+TEST(ResultsFolder, IsNotPutInThePlaceOfOtherFiles) {
+  const TemporaryFolder folder;
+  folder.write("out/experiment/results.csv", "old");
+  folder.write("out/experiment/thesis.txt", "mine");
+  folder.write("out/file", "mine");
+  for (const char* at : {"out/experiment", "out/file"}) {
+    try {
+      const ResultsFolder refused(folder.path(at));
+      ADD_FAILURE() << at;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("expected nothing, or results of an earlier run")) << at;
+    }
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/experiment/thesis.txt")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/file")));
 }
 
 }  // namespace

@@ -281,6 +281,22 @@ TEST(ImageReuse, DrawsWhateverNoPictureWouldDoFor) {
   }
 }
 
+/// The far plane cuts the object in front of its plate.
+TEST(ImageReuse, DrawsWhatTheFarPlaneCutsBeforeItsMiddle) {
+  const Scene scene = row_of_balls();
+  for (const double far : {99.0, 100.5, 105.0}) {
+    for (const geometry::Projection projection :
+         {geometry::Projection::perspective, geometry::Projection::orthographic}) {
+      Walk walk(scene);
+      View view = view_from({0.0, 0.0, 100.0});
+      view.camera.projection = projection, view.camera.height = 50.0, view.camera.far = far;
+      const raster::Image whole = walk.whole(view);
+      for (int frame = 0; frame < 2; ++frame) ASSERT_EQ(walk.step(view).rgba32f, whole.rgba32f) << far;
+      EXPECT_EQ(walk["unfit"], far < 100.0 ? 5u : 0u);
+    }
+  }
+}
+
 /// A point z in front of the plate moves by f·z·sin Δ/(D − z·cos Δ) px as the eye turns by Δ, on the plate it stays:
 /// the bound z·sin Δ·f/D of the report holds for z ≪ D, and for all z with D − z in place of D.
 TEST(ImageReuse, MovesNoFeatureFartherThanItsDistanceFromThePlateTells) {
