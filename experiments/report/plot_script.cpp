@@ -11,7 +11,7 @@ namespace lode::experiments {
 namespace {
 
 /// A text in gnuplot's double quotes, with nothing in it that it would take as markup.
-std::string quoted(const std::string& text) {
+std::string gnuplot_string(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -122,7 +122,7 @@ std::string labels_of(const Plot& plot, const Frame& frame) {
     };
     double lines = 0.8;
     for (; std::any_of(taken.begin(), taken.end(), meets); lines += 1.0) label.y_px += kLine_px;
-    script += "set label " + quoted(label.text) + " at " + number_text(label.x) + "," + number_text(label.y) +
+    script += "set label " + gnuplot_string(label.text) + " at " + number_text(label.x) + "," + number_text(label.y) +
               " center offset 0," + number_text(lines) + " font ',11' front\n";
     taken.push_back(std::move(label));
   }
@@ -133,7 +133,7 @@ std::string labels_of(const Plot& plot, const Frame& frame) {
 std::string decades(const Frame& frame) {
   std::string script = "set ytics (\"0\" " + number_text(frame.zero);
   for (double k = frame.zero + 1.0; k <= frame.y.high; k += 1.0) {
-    script += ", " + quoted(number_text(std::stod("1e" + std::to_string(int(k))))) + " " + number_text(k);
+    script += ", " + gnuplot_string(number_text(std::stod("1e" + std::to_string(int(k))))) + " " + number_text(k);
   }
   return script + ")\nset arrow from graph 0, first " + number_text(frame.zero + 0.5) + " to graph 1, first " +
          number_text(frame.zero + 0.5) + " nohead lc rgb '#888888' dt 2\n";
@@ -146,7 +146,7 @@ std::string plot_script(const Plot& plot) {
   const auto range = [](const Range& r) { return "[" + number_text(r.low) + ":" + number_text(r.high) + "]"; };
   std::string s = "set terminal svg size " + std::to_string(plot.width) + "," + std::to_string(plot.height) +
                   " dynamic noenhanced font 'sans-serif,13'\n";
-  s += "set xlabel " + quoted(plot.x_title) + "\nset ylabel " + quoted(plot.y_title) + "\n";
+  s += "set xlabel " + gnuplot_string(plot.x_title) + "\nset ylabel " + gnuplot_string(plot.y_title) + "\n";
   s += "set key outside top center horizontal Left reverse\nset grid lc rgb '#888888'\nset border 3\n"
        "set tics nomirror\nset xrange " +
        range(frame.x) + "\nset yrange " + range(frame.y) + "\n" + labels_of(plot, frame);
@@ -166,7 +166,7 @@ std::string plot_script(const Plot& plot) {
     const std::string lines = series.ringed ? " with linespoints ps 1.7 pt 6" : " with lines";
     const std::string points = std::string(" with points ps 0.8 pt ") + (series.hollow ? "6" : "7");
     s += (k > 0 ? ", $d" : "$d") + std::to_string(k) + " using 1:2";
-    s += (series.labels.empty() ? lines : points) + color + " title " + quoted(series.title);
+    s += (series.labels.empty() ? lines : points) + color + " title " + gnuplot_string(series.title);
   }
   return s + "\n";
 }
