@@ -132,15 +132,16 @@ AnyTechnique make_masked_occlusion(const ParameterValues& v) {
 
 std::vector<Parameter> image_reuse_parameters() {
   const techniques::ImageReuse::Params p;
-  return {{"threshold", "turn of the viewing angle from which on a picture is taken anew, degrees", 0, 180,
-           p.threshold_deg},
-          choice_parameter("angle", "what of the viewing angle counts", {"full", "yaw"}, 0),
-          choice_parameter("placement", "where plates go, and what is captured", {"corrected", "literal"}, 0),
-          {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.near_radii},
-          {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.near_distance},
-          {"magnification", "growth of a picture's pixels at which it is taken anew; 0: any", 0, 1e6, p.magnification},
-          {"captures", "in a frame at most; 0: any", 0, 1e6, double(p.most_captures), true},
-          {"memory", "MiB of pictures at most; 0: any", 0, 1e6, 0}};
+  return {
+      {"threshold", "turn of the viewing angle from which on a picture is taken anew, degrees", 0, 180,
+       p.threshold_deg},
+      choice_parameter("angle", "what of the viewing angle counts", {"full", "yaw"}, 0),
+      choice_parameter("placement", "where plates go, and what is captured", {"corrected", "literal"}, 0),
+      {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.near_radii},
+      {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.near_distance},
+      {"magnification", "growth of a picture's pixels from which on it is taken anew; 0: off", 0, 1e6, p.magnification},
+      {"captures", "in a frame at most; 0: no limit", 0, 1e6, double(p.most_captures), true},
+      {"memory", "MiB of pictures at most; 0: no limit", 0, 1e6, 0}};
 }
 
 AnyTechnique make_image_reuse(const ParameterValues& v) {

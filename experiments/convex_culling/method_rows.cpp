@@ -138,6 +138,10 @@ std::string findings(const std::vector<Row>& summary, const std::vector<Row>& re
   if (const Row* best = fastest_without_loss(summary)) {
     text += " The fastest method that loses no pixel is " + escaped(spoken_name(best->text("method"))) + ": " +
             times_as_fast(*best) + ".";
+    const Row* oracle = row_of(summary, kOracle);
+    if (oracle && best->number("speedup") > oracle->number("speedup")) {
+      text += " That it is faster than the oracle is noise, which more rounds make less (<code>--set rounds=N</code>).";
+    }
   }
   if (const Row* paper = row_of(summary, kPaper)) {
     text += " The paper's technique (" + escaped(spoken_name(kPaper)) + ") leaves out " +

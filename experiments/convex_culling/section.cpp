@@ -110,16 +110,19 @@ std::string section_of_walk(const FoundResults& found, const std::string& scene,
   html += html_table(rows, kColumns) + causes(rows) + time_against_error(summary);
   if (path != kRandomViewpoints) html += times_along_the_walk(times);
   return html + case_pictures(found, scene, path) + truth_table(summary) +
-         again(found.command + " --set scene=" + scene);
+         again(found.command.find(" --set scene=") == std::string::npos ? found.command + " --set scene=" + scene
+                                                                        : found.command);
 }
 
 }  // namespace
 
 std::string convex_culling_headline(const FoundResults& found) {
   const std::vector<Row> all = over_all_scenes(found);
-  return "<h3>Occlusion culling, over " + std::to_string(values_of(found.summary, "scene").size()) + " scenes</h3>\n" +
-         findings(all, found.results) + html_table(with_skips_beside(all), kOverall) +
-         "<p>&ldquo;Times faster&rdquo; is against frustum culling; the columns are explained below.</p>\n";
+  const std::size_t n_scenes = values_of(found.summary, "scene").size();
+  return "<h3>Occlusion culling, over " + std::to_string(n_scenes) + (n_scenes == 1 ? " scene" : " scenes") +
+         "</h3>\n" + findings(all, found.results) + html_table(with_skips_beside(all), kOverall) +
+         "<p>&ldquo;Times faster&rdquo; is against frustum culling; the columns are explained with the tables of the "
+         "scenes.</p>\n";
 }
 
 std::string convex_culling_section(const FoundResults& found) {

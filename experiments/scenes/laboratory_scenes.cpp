@@ -43,8 +43,9 @@ Scene rows_of_houses(int n_rows, int n_in_row, const SceneValues& v) {
 
 std::vector<BuiltinScene> laboratory_scenes() {
   const Parameter seed = {"seed", "of the random numbers", 0, 9007199254740992.0, 1, true};
-  const Parameter each = {"each", "triangles of a house, made even", double(geometry::kFewestHouseTriangles), 1e6, 4000,
-                          true};
+  const Parameter each = {
+      "each", "triangles of a house; an odd number is one less", double(geometry::kFewestHouseTriangles), 1e6, 4000,
+      true};
   return {
       {"table",
        "A table of 3948 triangles and 2080 vertices",
@@ -71,7 +72,7 @@ std::vector<BuiltinScene> laboratory_scenes() {
        {each, seed},
        [](const SceneValues& v) { return rows_of_houses(2, 12, v); }},
       {"houses200",
-       "Five streets of 200 houses, with two walks: approach, sideways",
+       "200 houses in five streets, with two walks: approach, sideways",
        {each, seed},
        [](const SceneValues& v) { return rows_of_houses(10, 20, v); }},
       {"kit_city",
