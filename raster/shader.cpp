@@ -27,21 +27,32 @@ float light_on(const Lambert& lambert, const glm::vec3& normal, bool front_facin
   return lambert.ambient + (1.0f - lambert.ambient) * facing;
 }
 
-void shade_lambert(const void* state, const ShadeBatch& batch, glm::vec4* rgba) noexcept {
-  const Lambert& lambert = *static_cast<const Lambert*>(state);
+glm::vec4 cut(const CutOut& c, const glm::vec4& material) {
+  if (!(double{material.a} / double{c.full} >= c.cutoff)) return glm::vec4(0.0f);
+  if (!(material.a > 0.0f)) return {0.0f, 0.0f, 0.0f, c.full};
+  return {material.r / material.a * c.full, material.g / material.a * c.full, material.b / material.a * c.full, c.full};
+}
+
+void shade_material(const void* state, const ShadeBatch& batch, glm::vec4* rgba) noexcept {
+  const MaterialShading& shading = *static_cast<const MaterialShading*>(state);
   for (int i = 0; i < batch.n; ++i) {
-    const float light = light_on(lambert, batch.normal[i], batch.front_facing);
-    const glm::vec4& material = batch.material[i];
-    rgba[i] = {material.r * light, material.g * light, material.b * light, material.a};
+    const glm::vec4 c = shading.cut_out ? cut(*shading.cut_out, batch.material[i]) : batch.material[i];
+    const float light = shading.light ? light_on(*shading.light, batch.normal[i], batch.front_facing) : 1.0f;
+    rgba[i] = {c.r * light, c.g * light, c.b * light, c.a};
   }
 }
 
 }  // namespace
 
-Shader lambert_shader(const Lambert& params) { return {shade_lambert, std::make_shared<const Lambert>(params)}; }
+Shader lambert_shader(const Lambert& params) { return material_shader({.cut_out = {}, .light = params}); }
 
-const Lambert* lambert_of(const Shader& shader) {
-  return shader.function == shade_lambert ? static_cast<const Lambert*>(shader.state.get()) : nullptr;
+Shader material_shader(const MaterialShading& params) {
+  if (!params.cut_out && !params.light) return {};
+  return {shade_material, std::make_shared<const MaterialShading>(params)};
+}
+
+const MaterialShading* material_of(const Shader& shader) {
+  return shader.function == shade_material ? static_cast<const MaterialShading*>(shader.state.get()) : nullptr;
 }
 
 }  // namespace lode::raster

@@ -16,6 +16,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -90,7 +91,22 @@ struct Lambert {
 };
 [[nodiscard]] Shader lambert_shader(const Lambert& params);
 
-/// What lambert_shader was given; null for other shaders. The fast pipeline has kernels for these.
-[[nodiscard]] const Lambert* lambert_of(const Shader& shader);
+/// The cut-out of masked materials. A sample whose alpha, of 1, is at least the cutoff becomes opaque, with its colour
+/// divided by its alpha; one of alpha 0 that is kept is black. Others become 0 all over, for an alpha test to drop.
+struct CutOut {
+  double cutoff = 0.5;  ///< any; NaN keeps nothing
+  float full = 1.0f;    ///< 1 in the target's unit: 255 for rgba8
+};
+
+/// The material, cut out first and then lit, as far as each is there.
+struct MaterialShading {
+  std::optional<CutOut> cut_out;
+  std::optional<Lambert> light;
+};
+/// An empty shader where there is neither.
+[[nodiscard]] Shader material_shader(const MaterialShading& params);
+
+/// What material_shader or lambert_shader was given; null for other shaders. The fast pipeline has kernels for these.
+[[nodiscard]] const MaterialShading* material_of(const Shader& shader);
 
 }  // namespace lode::raster

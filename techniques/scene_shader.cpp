@@ -1,7 +1,6 @@
 #include "techniques/scene_shader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,38 +15,13 @@ raster::Lambert lambert(const SceneSurface& surface) {
           .front_is_clockwise = surface.front_is_clockwise};
 }
 
-/// A surface with what lights it.
-struct Masked {
-  SceneSurface surface;
-  raster::Shader light;
-};
-
-/// A masked sample: opaque, or not there.
-glm::vec4 cut_out(const SceneSurface& surface, const glm::vec4& c) {
-  if (!(double{c.a} / double{surface.full} >= *surface.alpha_cutoff)) return glm::vec4(0.0f);
-  if (!(c.a > 0.0f)) return {0.0f, 0.0f, 0.0f, surface.full};
-  return {c.r / c.a * surface.full, c.g / c.a * surface.full, c.b / c.a * surface.full, surface.full};
-}
-
-void shade(const void* state, const raster::ShadeBatch& batch, glm::vec4* rgba) noexcept {
-  const Masked& masked = *static_cast<const Masked*>(state);
-  std::array<glm::vec4, raster::kMaxShadeBatch> cut;
-  for (int i = 0; i < batch.n; ++i) cut[std::size_t(i)] = cut_out(masked.surface, batch.material[i]);
-  if (!masked.surface.lit) {
-    std::copy_n(cut.begin(), batch.n, rgba);
-    return;
-  }
-  raster::ShadeBatch lit = batch;
-  lit.material = cut.data();
-  masked.light.function(masked.light.state.get(), lit, rgba);
-}
-
 }  // namespace
 
 raster::Shader scene_shader(const SceneSurface& surface) {
-  const raster::Shader light = surface.lit ? raster::lambert_shader(lambert(surface)) : raster::Shader{};
-  if (!surface.alpha_cutoff) return light;
-  return {shade, std::make_shared<const Masked>(Masked{surface, light})};
+  raster::MaterialShading shading;
+  if (surface.alpha_cutoff) shading.cut_out = raster::CutOut{.cutoff = *surface.alpha_cutoff, .full = surface.full};
+  if (surface.lit) shading.light = lambert(surface);
+  return raster::material_shader(shading);
 }
 
 glm::mat3 world_from_normal(const glm::dmat4& world_from_object) {

@@ -26,8 +26,7 @@ struct SceneSurface {
   bool front_is_clockwise = false;    ///< a mirrored instance: its front is the renderer's back
   bool double_sided = false;          ///< the back is lit as if its normals pointed the other way
 
-  /// Masked: a sample whose alpha, of 1, is at least this is opaque, with its colour divided by its alpha; others get
-  /// alpha 0 (the draw's alpha test then drops them). A sample of alpha 0 that is kept is black.
+  /// Masked: raster::CutOut's.
   std::optional<double> alpha_cutoff;
   float full = 1.0f;  ///< 1 in the target's unit: 255 for rgba8
 };

@@ -53,6 +53,7 @@ const Kernels kKernels = {
     .shade_owners = ShadeOwners,
     .shade_surface = ShadeSurface,
     .apply_linear_texture = ApplyLinearTexture,
+    .cut_out_surface = CutOutSurface,
     .store_floats = StoreFloats,
     .store_bytes = StoreBytes,
     .shade_textured = ShadeTextured,

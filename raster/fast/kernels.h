@@ -79,6 +79,7 @@ struct RasterCounts {
   /// Those that do not count as failed: nearer when they came; of tiny triangles, whose order depends on the number of
   /// lanes, those where nothing was.
   std::uint64_t fragments_kept = 0;
+  std::uint64_t alpha_failed = 0;
 };
 
 /// Marks of a triangle: it has won a sample, though it may have lost it since; it owns one in the end; it has been
@@ -102,6 +103,9 @@ struct RasterJob {
   bool (*key_before)(const void* context, std::uint32_t a, std::uint32_t b) = nullptr;
   /// The sign of a triangle's unsnapped determinant, where its snapped area is too small to tell.
   int (*facing_sign)(const void* context, std::uint32_t triangle) = nullptr;
+  /// Of those samples of a 4×4, a bit each, that nothing nearer hides: which pass the draw's alpha test; null: all. Only
+  /// for triangles by themselves.
+  std::uint32_t (*passing)(const void* context, int x_px, int y_px, std::uint32_t lanes) = nullptr;
 };
 
 /// A triangle by itself.
@@ -245,6 +249,8 @@ struct Kernels {
                         SurfaceSamples& out);
   /// apply_texture of a linear texture by a bilinear or trilinear filter.
   std::uint64_t (*apply_linear_texture)(const Surface& surface, std::uint32_t lanes, SurfaceSamples& samples);
+  /// `CutOut` of a surface that has one, then its light.
+  void (*cut_out_surface)(const Surface& surface, SurfaceSamples& samples);
   /// [4·16] Sixteen colours as a float target keeps them (C8).
   void (*store_floats)(const SurfaceSamples& samples, float* rgba);
   /// Sixteen colours as bytes: rounded half up, clamped; NaN gives 0 (C8).

@@ -37,6 +37,9 @@ alignas(64) constexpr double kLaneYInDouble[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2,
 alignas(64) constexpr std::int32_t kLaneX[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) constexpr std::int32_t kLaneY[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
+alignas(64) constexpr std::int32_t kLaneBit[16] = {1,   2,   4,    8,    16,   32,   64,    128,
+                                                   256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
+
 /// Lanes of two vectors of half as many, which Doubles's are of Floats's and Ints's.
 template <class Wide, class Half>
 HWY_INLINE hn::Vec<Wide> BothHalves(Wide wide, Half low, Half high) {

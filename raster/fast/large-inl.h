@@ -148,6 +148,35 @@ HWY_INLINE int DrawQuarter(const RasterJob& job, const LargeSetup& s, const Larg
   return passed;
 }
 
+/// The same with an alpha test: only what nothing nearer hides is shaded for it.
+HWY_INLINE int DrawTestedQuarter(const RasterJob& job, const LargeSetup& s, const LargeWalk& walk, const double (&e)[3],
+                                 double z, int x_px, int y_px, bool whole, TileBuffers& tile, RasterCounts& counts) {
+  const Ints di;
+  const Floats f;
+  const int place = place_in_tile(x_px, y_px);
+  alignas(64) float depths[16];
+  std::uint32_t covered = 0, visible = 0;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+    const LargeSamples first = SampleHalf(s, walk, e, z, x_px, y_px, whole, l);
+    const LargeSamples second = SampleHalf(s, walk, e, z, x_px, y_px, whole, l + hn::Lanes(Doubles()));
+    const auto inside = hn::RebindMask(f, hn::MaskFromVec(BothHalves(di, first.inside, second.inside)));
+    const auto depth = BothHalves(f, first.depth, second.depth);
+    hn::Store(depth, f, depths + l);
+    covered |= BitsOf(f, inside) << l;
+    visible |= BitsOf(f, hn::And(inside, hn::Ge(depth, hn::Load(f, tile.depth + place + l)))) << l;
+  }
+  counts.fragments += hwy::PopCount(covered);
+  if (visible == 0) return 0;
+  const std::uint32_t passing = job.passing(job.context, x_px, y_px, visible);
+  counts.alpha_failed += hwy::PopCount(visible & ~passing);
+  int passed = 0;
+  for (std::size_t l = 0; l < 16 && passing >> l != 0; l += hn::Lanes(di)) {
+    const auto passes = hn::TestBit(hn::Set(di, std::int32_t(passing)), hn::Load(di, kLaneBit + l));
+    passed += KeepNearer(job, tile, place + int(l), hn::RebindMask(f, passes), hn::Load(f, depths + l), s.owner);
+  }
+  return passed;
+}
+
 int RasterizeLarge(const RasterJob& job, const LoneTriangle& triangle, TileBuffers& tile, RasterCounts& counts) {
   LargeSetup s;
   if (!SetUpLarge(job, triangle, s)) return 0;
@@ -195,8 +224,10 @@ int RasterizeLarge(const RasterJob& job, const LoneTriangle& triangle, TileBuffe
         const int qx = (quarter & 1) * 4, qy = (quarter >> 1) * 4;
         const double at[3] = {e[0] + s.right[0] * qx + s.down[0] * qy, e[1] + s.right[1] * qx + s.down[1] * qy,
                               e[2] + s.right[2] * qx + s.down[2] * qy};
-        passed += DrawQuarter(job, s, walk, at, z + (walk.z_right * qx + walk.z_down * qy), bx * 8 + qx, by * 8 + qy,
-                              whole, tile, counts);
+        const double z_at = z + (walk.z_right * qx + walk.z_down * qy);
+        passed += job.passing
+                      ? DrawTestedQuarter(job, s, walk, at, z_at, bx * 8 + qx, by * 8 + qy, whole, tile, counts)
+                      : DrawQuarter(job, s, walk, at, z_at, bx * 8 + qx, by * 8 + qy, whole, tile, counts);
       }
       if (passed) tile.written[block] = kStale | kTouched;
       n_passed += passed;

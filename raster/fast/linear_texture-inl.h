@@ -186,7 +186,7 @@ std::uint64_t ApplyLinearTexture(const Surface& s, std::uint32_t lanes, SurfaceS
     for (std::size_t c = 0; c < 4; ++c) {
       F value = hn::Mul(hn::Load(f, samples.rgba[c] + lane), texel[c]);
       if (s.full != 1.0f) value = hn::Div(value, hn::Set(f, s.full));
-      if (s.lambert && c < 3) value = hn::Mul(value, hn::Load(f, samples.light + lane));
+      if (s.lambert && !s.cut_out && c < 3) value = hn::Mul(value, hn::Load(f, samples.light + lane));
       hn::Store(value, f, samples.rgba[c] + lane);
     }
   }

@@ -39,7 +39,8 @@ void add_counts(const RasterCounts& c, FrameStats& stats) {
   stats.blocks_outside += c.blocks_outside;
   stats.blocks_hidden += c.blocks_hidden;
   stats.fragments_covered += c.fragments;
-  stats.fragments_depth_failed += c.fragments - c.fragments_kept;
+  stats.fragments_alpha_failed += c.alpha_failed;
+  stats.fragments_depth_failed += c.fragments - c.fragments_kept - c.alpha_failed;
 }
 
 /// Whether no draw can touch the image.

@@ -154,7 +154,7 @@ HWY_INLINE void StoreColors(const Surface& s, const F (&b)[3], hn::Mask<Floats> 
       value = s.has_color ? hn::Mul(value, of_vertices) : of_vertices;
       if (s.has_color && s.full != 1.0f) value = hn::Div(value, hn::Set(f, s.full));
     }
-    if (s.lambert && !s.texture && c < 3) value = hn::Mul(value, light);
+    if (s.lambert && !s.texture && !s.cut_out && c < 3) value = hn::Mul(value, light);
     hn::Store(value, f, out.rgba[c] + lane);
   }
 }
@@ -182,6 +182,23 @@ void ShadeSurface(const Surface& s, const SurfaceTriangle& t, int x_fx8, int y_f
       for (std::size_t k = 0; k < 3; ++k) b[k] = BothHalves(f, halves[0].b[k], halves[1].b[k]);
     }
     StoreColors(s, b, front, attribute, lane, out);
+  }
+}
+
+void CutOutSurface(const Surface& s, SurfaceSamples& samples) {
+  const Floats f;
+  const auto zero = hn::Zero(f), opaque = hn::Set(f, s.opaque);
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(f)) {
+    const auto alpha = hn::Load(f, samples.rgba[3] + lane);
+    const auto kept = hn::Ge(alpha, hn::Set(f, s.least_kept));
+    const auto has_color = hn::And(kept, hn::Gt(alpha, zero));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto straight = hn::Mul(hn::Div(hn::Load(f, samples.rgba[c] + lane), alpha), opaque);
+      auto value = hn::IfThenElseZero(has_color, straight);
+      if (s.lambert) value = hn::Mul(value, hn::Load(f, samples.light + lane));
+      hn::Store(value, f, samples.rgba[c] + lane);
+    }
+    hn::Store(hn::IfThenElseZero(kept, opaque), f, samples.rgba[3] + lane);
   }
 }
 

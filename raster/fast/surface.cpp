@@ -1,6 +1,8 @@
 #include "raster/fast/surface.h"
 
 #include <bit>
+#include <cmath>
+#include <limits>
 
 #include "raster/level_of_detail.h"
 #include "raster/reference/shade.h"
@@ -18,10 +20,22 @@ void set_uvs(const Draw& draw, const reference::Piece& piece, SurfaceTriangle& t
   }
 }
 
+/// The least alpha in the target's unit for which double(alpha) / full ≥ threshold; NaN if there is none.
+float least_alpha(double threshold, float full) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  if (std::isnan(threshold)) return std::numeric_limits<float>::quiet_NaN();
+  const auto passes = [&](float alpha) { return double{alpha} / double{full} >= threshold; };
+  auto least = float(threshold * full);
+  while (least > -kInfinity && passes(least)) least = std::nextafter(least, -kInfinity);
+  while (!passes(least)) least = std::nextafter(least, kInfinity);
+  return least;
+}
+
 }  // namespace
 
 std::optional<Surface> make_surface(const Draw& draw, ColorFormat format) {
-  if (draw.shader.function && !lambert_of(draw.shader)) return std::nullopt;
+  const MaterialShading* shading = material_of(draw.shader);
+  if (draw.shader.function && !shading) return std::nullopt;
   if (draw.texture && (draw.uvs.empty() || draw.sampler.filter == Filter::anisotropic)) return std::nullopt;
   Surface s;
   s.full = format == ColorFormat::rgba8 ? 255.0f : 1.0f;
@@ -29,7 +43,13 @@ std::optional<Surface> make_surface(const Draw& draw, ColorFormat format) {
   s.color = {color.r, color.g, color.b, color.a};
   s.has_color = draw.color.has_value();
   s.has_vertex_colors = !draw.colors.empty();
-  s.lambert = lambert_of(draw.shader);
+  if (shading && shading->light) s.lambert = &*shading->light;
+  if (shading && shading->cut_out) {
+    s.cut_out = true;
+    s.opaque = shading->cut_out->full;
+    s.least_kept = least_alpha(shading->cut_out->cutoff, s.opaque);
+  }
+  if (draw.alpha_test) s.least_passing = least_alpha(*draw.alpha_test, s.full);
   s.has_normals = !draw.normals.empty();
   s.texture = draw.texture;
   s.sampler = draw.sampler;
@@ -66,7 +86,7 @@ std::uint64_t apply_texture(const Surface& s, std::uint32_t lanes, SurfaceSample
     }
     for (std::size_t c = 0; c < 4; ++c) samples.rgba[c][k] = samples.rgba[c][k] * texel[int(c)] / s.full;
   }
-  if (!s.lambert) return n_read;
+  if (!s.lambert || s.cut_out) return n_read;
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t k = 0; k < 16; ++k) samples.rgba[c][k] *= samples.light[k];
   }

@@ -19,6 +19,10 @@ struct Surface {
   float full = 1.0f;             ///< 255 for bytes
   const Lambert* lambert = nullptr;
   bool has_normals = false;
+  bool cut_out = false;      ///< before it is lit
+  float opaque = 1.0f;       ///< alpha of what the cut-out keeps
+  float least_kept = 0.0f;   ///< alpha: the least that the cut-out keeps, in the target's unit; NaN: none
+  float least_passing = 0.0f;  ///< alpha: the least that passes the draw's alpha test, if it has one; NaN: none
   const Texture* texture = nullptr;
   Sampler sampler;
 };
@@ -36,13 +40,13 @@ struct SurfaceTriangle : TriangleEdges {
 
 /// What the kernels make of sixteen samples.
 struct SurfaceSamples {
-  alignas(64) float rgba[4][16];       ///< lit, if the surface has no texture; else its colour
+  alignas(64) float rgba[4][16];  ///< lit, if nothing is to come before: a texture, a cut-out
   alignas(64) float light[16];         ///< if the surface is lit
   alignas(64) double u[16], v[16];     ///< if it has a texture
   alignas(64) double rho_squared[16];  ///< likewise, if the filter is trilinear: of the longer derivative, texels
 };
 
-/// None if the draw's triangles cannot be shaded as a surface's: by another shader than lambert_shader, or an
+/// None if the draw's triangles cannot be shaded as a surface's: by another shader than material_shader's, or an
 /// anisotropic filter.
 [[nodiscard]] std::optional<Surface> make_surface(const Draw& draw, ColorFormat format);
 
@@ -50,7 +54,8 @@ struct SurfaceSamples {
 [[nodiscard]] SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& piece,
                                                     glm::ivec2 tile_origin_px);
 
-/// Multiplies the colours of the lanes (a bit each) by their texels, then by their light. Returns how many were read.
+/// Multiplies the colours of the lanes (a bit each) by their texels, then by their light, unless they are cut out
+/// first. Returns how many were read.
 std::uint64_t apply_texture(const Surface& surface, std::uint32_t lanes, SurfaceSamples& samples);
 
 }  // namespace lode::raster::fast

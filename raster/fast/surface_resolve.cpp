@@ -15,6 +15,16 @@ bool filtered_by_kernel(const Surface& s) {
 
 }  // namespace
 
+void shade_samples(const Kernels& kernels, const Surface& surface, const SurfaceTriangle& triangle,
+                   glm::ivec2 first_fx8, std::uint32_t lanes, FrameStats& stats, SurfaceSamples& samples) {
+  kernels.shade_surface(surface, triangle, first_fx8.x, first_fx8.y, samples);
+  if (surface.texture) {
+    stats.texels_read += filtered_by_kernel(surface) ? kernels.apply_linear_texture(surface, lanes, samples)
+                                                     : apply_texture(surface, lanes, samples);
+  }
+  if (surface.cut_out) kernels.cut_out_surface(surface, samples);
+}
+
 SurfaceResolver::SurfaceResolver(const Scene& scene, Worker& worker, const Owners& owners, const PixelBox& box,
                                  glm::ivec2 sample_fx8, ColorFormat format)
     : scene_(scene), w_(worker), owners_(owners), origin_px_(box.begin_px), sample_fx8_(sample_fx8), format_(format) {
@@ -57,6 +67,7 @@ void SurfaceResolver::flush(Batch& batch) {
   job.x_fx8 = batch.x_fx8.data(), job.y_fx8 = batch.y_fx8.data();
   SurfaceSamples samples;
   scene_.kernels->shade_owners(job, batch.owners.data(), samples);
+  if (job.surface->cut_out) scene_.kernels->cut_out_surface(*job.surface, samples);
   store(samples, [&](auto visit) {
     for (std::size_t k = 0; k < batch.n; ++k) visit(k, batch.places[k]);
   });
@@ -73,12 +84,8 @@ bool SurfaceResolver::shade_alone(const Surface& surface, std::uint32_t owner, i
     kept = {owner, make_surface_triangle(scene_.frame->draws[p.draw], p, origin_px_)};
   }
   SurfaceSamples samples;
-  scene_.kernels->shade_surface(surface, kept.triangle, x_px * 256 + sample_fx8_.x, y_px * 256 + sample_fx8_.y,
-                                samples);
-  if (surface.texture) {
-    w_.stats.texels_read += filtered_by_kernel(surface) ? scene_.kernels->apply_linear_texture(surface, lanes, samples)
-                                                        : apply_texture(surface, lanes, samples);
-  }
+  shade_samples(*scene_.kernels, surface, kept.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes, w_.stats,
+                samples);
   const auto base = std::size_t(place_in_tile(x_px, y_px));
   store(samples, [&](auto visit) { for_each_lane(lanes, [&](std::size_t k) { visit(k, base + k); }); });
   return true;

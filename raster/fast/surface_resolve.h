@@ -9,6 +9,11 @@
 
 namespace lode::raster::fast {
 
+/// Colours of the lanes (a bit each) of a 4×4 of one triangle, done: textured, cut out and lit.
+///   first_fx8   its first sample, from the tile's corner
+void shade_samples(const Kernels& kernels, const Surface& surface, const SurfaceTriangle& triangle,
+                   glm::ivec2 first_fx8, std::uint32_t lanes, FrameStats& stats, SurfaceSamples& samples);
+
 class SurfaceResolver {
  public:
   /// All of them outlive it.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "raster/blend.h"
+#include "raster/fast/surface_resolve.h"
 #include "raster/fast/textured.h"
 #include "raster/reference/shade.h"
 
@@ -242,7 +243,9 @@ class TileDrawer {
     for (const std::uint32_t i : scene_.row(row_)) {
       if (!touches(i) || !draw_of(i).order_free()) continue;
       const auto* triangle = std::get_if<reference::Triangle>(&owners_.piece(i).shape);
-      if (triangle && !draw_of(i).alpha_test && !(triangle->polygon && triangle->polygon->has_turned_piece)) {
+      const bool by_kernel = triangle && !(triangle->polygon && triangle->polygon->has_turned_piece) &&
+                             (!draw_of(i).alpha_test || scene_.surfaces[owners_.piece(i).draw]);
+      if (by_kernel) {
         draw_triangle(i, *triangle);
       } else {
         draw_order_free(i);
@@ -257,7 +260,30 @@ class TileDrawer {
       lone.z[k] = t.v[k].z;
     }
     lone.owner = index | kPieceBit;
-    scene_.kernels->rasterize_lone(job_of(owners_.piece(index).bounds_px, Cull::none), lone, *w_.tile, w_.counts);
+    RasterJob job = job_of(owners_.piece(index).bounds_px, Cull::none);
+    if (draw_of(index).alpha_test) {
+      tested_ = {index, std::nullopt};
+      job.passing = [](const void* self, int x, int y, std::uint32_t lanes) {
+        return static_cast<TileDrawer*>(const_cast<void*>(self))->passing(x, y, lanes);
+      };
+    }
+    scene_.kernels->rasterize_lone(job, lone, *w_.tile, w_.counts);
+  }
+
+  /// Which samples of a 4×4 of the tested triangle pass its draw's alpha test.
+  std::uint32_t passing(int x_px, int y_px, std::uint32_t lanes) {
+    const Piece& p = owners_.piece(tested_.piece);
+    const Surface& surface = *scene_.surfaces[p.draw];
+    if (!tested_.triangle) tested_.triangle = make_surface_triangle(scene_.frame->draws[p.draw], p, box_.begin_px);
+    SurfaceSamples samples;
+    shade_samples(*scene_.kernels, surface, *tested_.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes,
+                  w_.stats, samples);
+    w_.stats.fragments_shaded += std::uint64_t(std::popcount(lanes));
+    std::uint32_t passing = 0;
+    for (std::size_t k = 0; k < 16; ++k) {
+      passing |= std::uint32_t(samples.rgba[3][k] >= surface.least_passing) << k;
+    }
+    return passing & lanes;
   }
 
   /// visit(place, px, depth, rgba) for each sample that the piece covers and that passes the draw's alpha test; rgba is
@@ -433,6 +459,10 @@ class TileDrawer {
   bool has_color_ = false;
   bool every_block_ = false;  ///< of the tile's colours is made, not only those that were touched
   std::uint32_t slot_ = 0;
+  struct {
+    std::uint32_t piece = 0;
+    std::optional<SurfaceTriangle> triangle;  ///< made when its first sample is seen
+  } tested_;                                  ///< that with an alpha test which is being drawn
   std::uint64_t won_before_ = 0;  ///< samples, before this tile
 };
 

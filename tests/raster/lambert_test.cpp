@@ -72,10 +72,11 @@ TEST(Lambert, NormalsAreTurnedIntoTheLightsSpaceAndThoseOfBacksRound) {
 
 TEST(Lambert, IsFoundAgainInItsShader) {
   const Shader shader = lambert_shader({.ambient = 0.125f});
-  ASSERT_NE(lambert_of(shader), nullptr);
-  EXPECT_EQ(lambert_of(shader)->ambient, 0.125f);
-  EXPECT_EQ(lambert_of({}), nullptr);
-  EXPECT_EQ(lambert_of(pixel_shader([](const Pixel& p) { return p.material; })), nullptr);
+  ASSERT_NE(material_of(shader), nullptr);
+  EXPECT_EQ(material_of(shader)->light->ambient, 0.125f);
+  EXPECT_FALSE(material_of(shader)->cut_out);
+  EXPECT_EQ(material_of({}), nullptr);
+  EXPECT_EQ(material_of(pixel_shader([](const Pixel& p) { return p.material; })), nullptr);
 }
 
 TEST(Lambert, AZeroOrNonFiniteNormalGetsAmbientLightOnly) {

@@ -186,8 +186,11 @@ class RandomDraw {
                       .max_anisotropy = random_.between(1, 16)};
       draw.sampler.border = glm::vec4(draw.texture->format == TextureFormat::raw ? 51.0f : 0.25f);
     }
-    if (one_in(6)) {
-      draw.shader = lambert_shader(lambert());
+    if (one_in(4)) {
+      MaterialShading shading;
+      if (one_in(2)) shading.cut_out = CutOut{.cutoff = random_.unit(), .full = one_in(8) ? 2.0f : full_};
+      if (!shading.cut_out || one_in(2)) shading.light = lambert();
+      draw.shader = material_shader(shading);
     } else if (one_in(8)) {
       draw.shader = pixel_shader([](const Pixel& p) {
         return p.material * (p.front_facing ? 1.0f : 0.5f) * p.depth +
@@ -216,7 +219,7 @@ class RandomDraw {
     if (one_in(5)) draw.blend = Blend(random_.below(3));
     if (one_in(8)) draw.depth_test = false;
     if (one_in(8)) draw.depth_write = one_in(2);
-    if (one_in(8)) draw.alpha_test = random_.unit();
+    if (one_in(5)) draw.alpha_test = random_.unit();
     if (one_in(6)) {
       draw.scissor = Rect{{random_.between(-9, frame_.size_px.x), random_.between(-9, frame_.size_px.y)},
                           {random_.between(0, 64), random_.between(0, 64)}};
