@@ -12,6 +12,10 @@ namespace {
 /// Of a plate: the picture's corners in the order that Stage::plate takes them.
 constexpr glm::vec2 kPlateUvs[4] = {{0.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 1.0f}, {1.0f, 0.0f}};
 
+glm::dvec3 centre_of(const std::array<glm::dvec3, 4>& corners) {
+  return 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+}
+
 }  // namespace
 
 const char* name_of(Promise promise) {
@@ -42,6 +46,7 @@ void Stage::begin(const View& view) {
   view_ = view;
   std::fill(drawn_.begin(), drawn_.end(), std::uint8_t{0});
   plates_.clear();
+  plate_corners_.clear();
   draws_.clear();
   released_.clear();
   work_ = {};
@@ -55,10 +60,10 @@ void Stage::object(ObjectId id) {
 }
 
 void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge) {
-  const glm::dvec3 centre = 0.25 * (corners_world[0] + corners_world[1] + corners_world[2] + corners_world[3]);
-  Plate plate{.object = id, .picture = &this->picture(picture), .corners = {}, .centre_world = centre, .edge = edge};
-  for (std::size_t k = 0; k < 4; ++k) plate.corners[k] = glm::vec3(corners_world[k] - centre);
-  plates_.push_back(plate);
+  const glm::dvec3 centre = centre_of(corners_world);
+  plates_.push_back({.object = id, .picture = &this->picture(picture), .corners_world = corners_world, .edge = edge});
+  std::array<glm::vec3, 4>& corners = plate_corners_.emplace_back();
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = glm::vec3(corners_world[k] - centre);
   ++work_.plates;
 }
 
@@ -130,18 +135,19 @@ std::span<const raster::Draw> Stage::draws() {
     }
   }
   if (plates_.empty()) return draws_;
-  for (const Plate& plate : plates_) draws_.push_back(plate_draw(plate, clip_from_world));
+  for (std::size_t i = 0; i < plates_.size(); ++i) draws_.push_back(plate_draw(i, clip_from_world));
   std::stable_sort(draws_.begin(), draws_.end(),
                    [](const raster::Draw& a, const raster::Draw& b) { return *a.draw_id < *b.draw_id; });
   return draws_;
 }
 
-raster::Draw Stage::plate_draw(const Plate& plate, const glm::dmat4& clip_from_world) const {
+raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world) const {
+  const ShownPlate& plate = plates_[i];
   glm::dmat4 world_from_plate(1.0);
-  world_from_plate[3] = glm::dvec4(plate.centre_world, 1.0);
+  world_from_plate[3] = glm::dvec4(centre_of(plate.corners_world), 1.0);
   raster::Draw draw;
   draw.topology = raster::Topology::quads;
-  draw.vertices = raster::ObjectVertices{plate.corners, clip_from_world * world_from_plate};
+  draw.vertices = raster::ObjectVertices{plate_corners_[i], clip_from_world * world_from_plate};
   draw.uvs = kPlateUvs;
   draw.texture = &plate.picture->texture;
   draw.sampler = {.filter = raster::Filter::trilinear, .wrap_u = raster::Wrap::border, .wrap_v = raster::Wrap::border};

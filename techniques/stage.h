@@ -45,6 +45,14 @@ enum class PlateEdge : std::uint8_t {
   blended  ///< `over`, depth-tested, no depth written, in the order of the instances
 };
 
+/// A picture in an object's place, as Stage::plate took it. The picture is there as long as the frame is.
+struct ShownPlate {
+  ObjectId object;
+  const CapturedPicture* picture;
+  std::array<glm::dvec3, 4> corners_world;
+  PlateEdge edge;
+};
+
 /// What was done on the stage in one frame.
 struct StageWork {
   std::uint64_t objects = 0;     ///< drawn as the scene has them
@@ -115,19 +123,13 @@ class Stage {
   /// The frame's draws so far; valid until the next call of anything here.
   [[nodiscard]] std::span<const raster::Draw> draws();
   [[nodiscard]] bool drawn(ObjectId id) const { return drawn_[id] != 0; }  ///< as itself
+  [[nodiscard]] std::span<const ShownPlate> plates() const { return plates_; }
   [[nodiscard]] const StageWork& work() const { return work_; }
   [[nodiscard]] std::span<const PartTime> times() const { return times_; }
 
  private:
-  struct Plate {
-    ObjectId object;
-    const CapturedPicture* picture;
-    std::array<glm::vec3, 4> corners;  ///< from the centre
-    glm::dvec3 centre_world;
-    PlateEdge edge;
-  };
   void add_time(std::string_view part, std::chrono::steady_clock::duration time);
-  [[nodiscard]] raster::Draw plate_draw(const Plate& plate, const glm::dmat4& clip_from_world) const;
+  [[nodiscard]] raster::Draw plate_draw(std::size_t plate, const glm::dmat4& clip_from_world) const;
 
   const World& world_;
   raster::RenderOptions options_;
@@ -135,7 +137,8 @@ class Stage {
   raster::Shader cutout_;
   View view_;
   std::vector<std::uint8_t> drawn_;  ///< [objects]
-  std::vector<Plate> plates_;        ///< in the order in which they came
+  std::vector<ShownPlate> plates_;   ///< in the order in which they came
+  std::vector<std::array<glm::vec3, 4>> plate_corners_;  ///< [plates] from the mean of their corners
   std::vector<raster::Draw> draws_;
   std::map<PictureId, std::unique_ptr<CapturedPicture>> pictures_;
   std::vector<std::unique_ptr<CapturedPicture>> released_;  ///< in this frame

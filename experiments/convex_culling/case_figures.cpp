@@ -28,11 +28,6 @@ std::string picture(const std::string& file, const std::string& caption) {
   return "<figure>" + html_image(file, caption) + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
-std::string plot(const Plot& plot, const std::string& caption) {
-  return "<figure class=\"plot\"><div class=\"wide\">" + svg_of(plot) + "</div><figcaption>" + escaped(caption) +
-         "</figcaption></figure>\n";
-}
-
 /// A drawing that the experiment wrote, as it is in the page; nothing if there is none.
 std::string drawing(const std::string& file) {
   std::string svg = file_bytes(file).value_or("");
@@ -105,7 +100,7 @@ std::string time_against_error(const std::vector<Row>& summary) {
     series.labels.push_back(std::to_string(known - methods.begin() + 1));
   }
   for (const std::size_t i : pareto_front(x, y)) front.x.push_back(x[i]), front.y.push_back(y[i]);
-  return plot(
+  return html_plot(
       {.x_title = "ms a frame, mean", .y_title = "falsely culled, % of px", .log_y = true, .series = {off, on, front}},
       "Run time against error: left is faster, down loses less. " + list + ".");
 }
@@ -121,7 +116,7 @@ std::string times_along_the_walk(const std::vector<Row>& times) {
     if (!series.x.empty()) curves.series.push_back(std::move(series));
   }
   if (curves.series.empty()) return {};
-  return plot(curves, "Frame times along the walk, the renderer's skips off (the paper's Fig. 4)");
+  return html_plot(curves, "Frame times along the walk, the renderer's skips off (the paper's Fig. 4)");
 }
 
 std::string case_pictures(const FoundResults& found, const std::string& scene, const std::string& path) {

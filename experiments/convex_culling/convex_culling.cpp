@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "experiments/convex_culling/attribution.h"
-#include "experiments/convex_culling/finished_case.h"
 #include "experiments/convex_culling/names.h"
 #include "experiments/convex_culling/section.h"
 #include "experiments/convex_culling/summary.h"
 #include "experiments/harness/case_pictures.h"
 #include "experiments/harness/culling_case.h"
+#include "experiments/harness/finished_case.h"
 #include "experiments/harness/scene_hash.h"
 #include "experiments/harness/true_error.h"
 #include "experiments/progress.h"

@@ -79,23 +79,6 @@ std::string spoken_name(const std::string& method) {
   return name;
 }
 
-std::vector<Row> rows_with(const std::vector<Row>& rows, std::string_view column, const std::string& value) {
-  std::vector<Row> found;
-  for (const Row& row : rows) {
-    if (row.text(column) == value) found.push_back(row);
-  }
-  return found;
-}
-
-std::vector<std::string> values_of(const std::vector<Row>& rows, std::string_view column) {
-  std::vector<std::string> values;
-  for (const Row& row : rows) {
-    const std::string value = row.text(column);
-    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
-  }
-  return values;
-}
-
 std::vector<Row> over_all_scenes(const FoundResults& found) {
   std::vector<Row> all;
   add_summary({.results = found.results, .times = found.times, .losses = losses_of(found)}, all);

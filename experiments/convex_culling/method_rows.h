@@ -11,13 +11,6 @@ namespace lode::experiments {
 /// "convex_culling:mode=safe" as "convex culling, safe".
 [[nodiscard]] std::string spoken_name(const std::string& method);
 
-/// Rows of the column's value.
-[[nodiscard]] std::vector<Row> rows_with(const std::vector<Row>& rows, std::string_view column,
-                                         const std::string& value);
-
-/// The values of a column, each once, in the order in which they come.
-[[nodiscard]] std::vector<std::string> values_of(const std::vector<Row>& rows, std::string_view column);
-
 /// A row of add_summary for each method over all scenes and walks, and speedups: "0.9 – 1.3", the least and the
 /// greatest of any walk.
 [[nodiscard]] std::vector<Row> over_all_scenes(const FoundResults& found);

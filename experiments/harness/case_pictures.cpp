@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "experiments/display_bytes.h"
+#include "experiments/harness/png_file.h"
 #include "experiments/harness/sky.h"
 #include "experiments/harness/visible_samples.h"
 #include "experiments/metrics/flip/flip.h"
 #include "experiments/metrics/magma.h"
 #include "experiments/whole_file.h"
-#include "geometry/image_file.h"
 #include "raster/render.h"
 #include "techniques/objects_in_view.h"
 
@@ -54,12 +54,6 @@ std::string rectangle(const geometry::Bounds& box, const glm::dvec2& origin, dou
   return "<rect class=\"" + std::string(style) + "\" x=\"" + at(box.low.x, origin.x) + "\" y=\"" +
          at(box.low.z, origin.y) + "\" width=\"" + one_digit((box.high.x - box.low.x) * scale) + "\" height=\"" +
          one_digit((box.high.z - box.low.z) * scale) + "\"/>\n";
-}
-
-void write_png(const std::string& path, glm::ivec2 size_px, std::span<const glm::u8vec4> colors) {
-  WholeFile file(path);
-  geometry::write_color(file.file(), geometry::ImageFormat::png, size_px, colors);
-  publish({&file});
 }
 
 /// A frame around what may be a few pixels, this far from them.

@@ -44,6 +44,9 @@ class PreparedMethod {
   /// What the oracle draws in the frames that follow.
   void show(std::vector<techniques::ObjectId> objects) { shown_ = std::move(objects); }
 
+  /// Forgets what it remembers from frame to frame.
+  void cut() { technique_.cut(); }
+
   /// Decides and draws.
   Times draw(const techniques::View& view, raster::Image& image, const glm::vec4& clear = glm::vec4(0.0f));
 

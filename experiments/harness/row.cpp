@@ -43,6 +43,23 @@ std::string Row::text(std::string_view name) const {
   return value == nullptr ? std::string() : text_of(*value);
 }
 
+std::vector<Row> rows_with(const std::vector<Row>& rows, std::string_view column, const std::string& value) {
+  std::vector<Row> found;
+  for (const Row& row : rows) {
+    if (row.text(column) == value) found.push_back(row);
+  }
+  return found;
+}
+
+std::vector<std::string> values_of(const std::vector<Row>& rows, std::string_view column) {
+  std::vector<std::string> values;
+  for (const Row& row : rows) {
+    const std::string value = row.text(column);
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  }
+  return values;
+}
+
 std::string csv_text(std::span<const Row> rows) {
   std::vector<std::string> columns;
   for (const Row& row : rows) {

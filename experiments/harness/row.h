@@ -30,6 +30,13 @@ class Row {
   std::vector<std::pair<std::string, Value>> cells_;
 };
 
+/// Rows of the column's value.
+[[nodiscard]] std::vector<Row> rows_with(const std::vector<Row>& rows, std::string_view column,
+                                         const std::string& value);
+
+/// The values of a column, each once, in the order in which they come.
+[[nodiscard]] std::vector<std::string> values_of(const std::vector<Row>& rows, std::string_view column);
+
 /// A header and a line a row (RFC 4180): columns in the order in which rows bring them, empty where a row has none.
 /// Numbers are as short as they can be and read back as they were.
 [[nodiscard]] std::string csv_text(std::span<const Row> rows);

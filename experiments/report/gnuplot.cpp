@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "experiments/error.h"
+#include "experiments/report/html.h"
 #include "experiments/report/plot_script.h"
 
 extern char** environ;
@@ -100,6 +101,11 @@ std::string svg_of(const Plot& plot) {
   replace_all(svg, "black", "currentColor");
   replace_all(svg, "rgb(  0,   0,   0)", "currentColor");
   return svg;
+}
+
+std::string html_plot(const Plot& plot, const std::string& caption) {
+  return "<figure class=\"plot\"><div class=\"wide\">" + svg_of(plot) + "</div><figcaption>" + escaped(caption) +
+         "</figcaption></figure>\n";
 }
 
 std::vector<std::size_t> pareto_front(std::span<const double> x, std::span<const double> y) {

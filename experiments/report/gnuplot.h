@@ -28,6 +28,9 @@ struct Plot {
 /// Throws Error (machine_failed) if gnuplot is not there or fails.
 [[nodiscard]] std::string svg_of(const Plot& plot);
 
+/// The same as a figure of a page, with a caption.
+[[nodiscard]] std::string html_plot(const Plot& plot, const std::string& caption);
+
 /// The points that no other point beats in both coordinates (least x, least y), by x: indices. Kung, Luccio, Preparata,
 /// "On finding the maxima of a set of vectors", 1975.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const double> x, std::span<const double> y);

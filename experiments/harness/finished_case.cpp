@@ -1,4 +1,4 @@
-#include "experiments/convex_culling/finished_case.h"
+#include "experiments/harness/finished_case.h"
 
 #include <algorithm>
 
