@@ -106,6 +106,8 @@ struct RasterJob {
   /// Of those samples of a 4×4, a bit each, that nothing nearer hides: which pass the draw's alpha test; null: all. Only
   /// for triangles by themselves.
   std::uint32_t (*passing)(const void* context, int x_px, int y_px, std::uint32_t lanes) = nullptr;
+  /// Then, if any of them is nearest now: which. May be null.
+  void (*won)(const void* context, int x_px, int y_px, std::uint32_t lanes) = nullptr;
 };
 
 /// A triangle by itself.

@@ -174,6 +174,13 @@ HWY_INLINE int DrawTestedQuarter(const RasterJob& job, const LargeSetup& s, cons
     const auto passes = hn::TestBit(hn::Set(di, std::int32_t(passing)), hn::Load(di, kLaneBit + l));
     passed += KeepNearer(job, tile, place + int(l), hn::RebindMask(f, passes), hn::Load(f, depths + l), s.owner);
   }
+  if (passed == 0 || !job.won) return passed;
+  std::uint32_t won = 0;
+  for (std::size_t l = 0; l < 16; l += hn::Lanes(di)) {
+    const auto owners = hn::Load(di, reinterpret_cast<const std::int32_t*>(tile.owner + place + l));
+    won |= BitsOf(di, hn::Eq(owners, hn::Set(di, std::int32_t(s.owner)))) << l;
+  }
+  job.won(job.context, x_px, y_px, won);
   return passed;
 }
 

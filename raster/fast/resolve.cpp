@@ -140,7 +140,7 @@ class Resolver {
   }
 
   /// All lanes of one owner: by its texture's kernel, as a surface, at once or later with others, or as the reference
-  /// shades them.
+  /// shades them; or not at all, if they have their colours.
   Lanes shade_owner(int x, int y, std::size_t base, Lanes left) {
     const std::uint32_t* owners = w_.tile->owner + base;
     const std::uint32_t owner = owners[std::countr_zero(left)];
@@ -148,6 +148,11 @@ class Resolver {
     for (std::uint32_t k = 0; k < 16; ++k) lanes |= std::uint32_t(owners[k] == owner) << k;
     lanes &= left;
     const Draw& draw = scene_.frame->draws[owners_.draw(owner)];
+    if (draw.alpha_test && format_ == ColorFormat::rgba32f &&
+        drawn_by_kernels(scene_, owners_.piece(owner & ~kPieceBit))) {
+      w_.stats.fragments_shaded -= std::uint64_t(std::popcount(lanes));
+      return lanes;  // its colours were kept as it was tested
+    }
     if (can_texture(draw, format_) && shade_textured(owner, x, y, base, lanes)) return lanes;
     if (!surfaces_.shade(owner, x, y, lanes)) shade_by_reference(draw, owner, x, y, base, lanes);
     return lanes;

@@ -242,11 +242,8 @@ class TileDrawer {
   void draw_pieces() {
     for (const std::uint32_t i : scene_.row(row_)) {
       if (!touches(i) || !draw_of(i).order_free()) continue;
-      const auto* triangle = std::get_if<reference::Triangle>(&owners_.piece(i).shape);
-      const bool by_kernel = triangle && !(triangle->polygon && triangle->polygon->has_turned_piece) &&
-                             (!draw_of(i).alpha_test || scene_.surfaces[owners_.piece(i).draw]);
-      if (by_kernel) {
-        draw_triangle(i, *triangle);
+      if (drawn_by_kernels(scene_, owners_.piece(i))) {
+        draw_triangle(i, std::get<reference::Triangle>(owners_.piece(i).shape));
       } else {
         draw_order_free(i);
       }
@@ -262,10 +259,16 @@ class TileDrawer {
     lone.owner = index | kPieceBit;
     RasterJob job = job_of(owners_.piece(index).bounds_px, Cull::none);
     if (draw_of(index).alpha_test) {
-      tested_ = {index, std::nullopt};
+      tested_.piece = index;
+      tested_.triangle.reset();
       job.passing = [](const void* self, int x, int y, std::uint32_t lanes) {
         return static_cast<TileDrawer*>(const_cast<void*>(self))->passing(x, y, lanes);
       };
+      if (!image_.rgba32f.empty()) {
+        job.won = [](const void* self, int x, int y, std::uint32_t lanes) {
+          static_cast<TileDrawer*>(const_cast<void*>(self))->keep_colors(x, y, lanes);
+        };
+      }
     }
     scene_.kernels->rasterize_lone(job, lone, *w_.tile, w_.counts);
   }
@@ -275,15 +278,22 @@ class TileDrawer {
     const Piece& p = owners_.piece(tested_.piece);
     const Surface& surface = *scene_.surfaces[p.draw];
     if (!tested_.triangle) tested_.triangle = make_surface_triangle(scene_.frame->draws[p.draw], p, box_.begin_px);
-    SurfaceSamples samples;
     shade_samples(*scene_.kernels, surface, *tested_.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes,
-                  w_.stats, samples);
+                  w_.stats, tested_.samples);
     w_.stats.fragments_shaded += std::uint64_t(std::popcount(lanes));
     std::uint32_t passing = 0;
     for (std::size_t k = 0; k < 16; ++k) {
-      passing |= std::uint32_t(samples.rgba[3][k] >= surface.least_passing) << k;
+      passing |= std::uint32_t(tested_.samples.rgba[3][k] >= surface.least_passing) << k;
     }
     return passing & lanes;
+  }
+
+  /// Of what was shaded for the test, so that it is not shaded again.
+  void keep_colors(int x_px, int y_px, std::uint32_t lanes) {
+    alignas(64) std::array<glm::vec4, 16> colors;
+    scene_.kernels->store_floats(tested_.samples, &colors[0].x);
+    const auto base = std::size_t(place_in_tile(x_px, y_px));
+    for_each_lane(lanes, [&](std::size_t k) { w_.rgba32f[base + k] = colors[k]; });
   }
 
   /// visit(place, px, depth, rgba) for each sample that the piece covers and that passes the draw's alpha test; rgba is
@@ -462,6 +472,7 @@ class TileDrawer {
   struct {
     std::uint32_t piece = 0;
     std::optional<SurfaceTriangle> triangle;  ///< made when its first sample is seen
+    SurfaceSamples samples;                   ///< of the 4×4 that was tested last
   } tested_;                                  ///< that with an alpha test which is being drawn
   std::uint64_t won_before_ = 0;  ///< samples, before this tile
 };

@@ -93,6 +93,16 @@ TEST(AlphaTest, DoesNotShadeWhatIsHidden) {
   EXPECT_EQ(stats.fragments_alpha_failed, 0u);
 }
 
+// Targets of floats keep the colours of the test; an owner that lost its sample has lost its colour, too.
+TEST(AlphaTest, IsNotShadedAgainWhereFloatsAreKept) {
+  SmallScene scene({32, 32}, ColorFormat::rgba32f);
+  scene.rect({0, 0}, {8, 32}, 0.75, {1, 0, 0, 1});
+  scene.rect({0, 0}, {32, 32}, 0.5, {0, 1, 0, 1}).alpha_test = 0.5;
+  scene.rect({16, 0}, {32, 32}, 0.625, {0, 0, 1, 1}).alpha_test = 0.5;
+  const FrameStats stats = scene.render();
+  EXPECT_EQ(stats.fragments_shaded, 24u * 32u + 16u * 32u + 8u * 32u);
+}
+
 TEST(AlphaTest, CountsWhatFails) {
   SmallScene scene({32, 32});
   scene.rect({0, 0}, {8, 32}, 0.75, {255, 0, 0, 255});
