@@ -89,76 +89,91 @@ HWY_INLINE void LinearTexelsAt(const double* coordinates, const std::int32_t* si
   }
 }
 
-/// Σ weight · texel of one sample, four channels, in double.
-class TexelSum {
- public:
-  HWY_INLINE TexelSum() {
-    for (auto& sum : sum_) sum = hn::Zero(Fours());
-  }
-  /// A texel of weight 0 adds nothing, be it infinite.
-  HWY_INLINE void Add(const float* texel, std::int32_t weight) {
-    if (weight == 0) return;
-    const Fours d;
-    const hn::Rebind<float, Fours> f;
-    const auto w = hn::Set(d, double(weight));
-    for (std::size_t i = 0; i < kVectors; ++i) {
-      const auto term = hn::Mul(w, hn::PromoteTo(d, hn::LoadU(f, texel + i * hn::Lanes(d))));
-      sum_[i] = hn::Add(sum_[i], term);
-    }
-  }
-  /// The mean over weights that add up to 2^24, as float targets keep it.
-  HWY_INLINE void StoreMean(float* texel) const {
-    const Fours d;
-    const hn::Rebind<float, Fours> f;
-    for (std::size_t i = 0; i < kVectors; ++i) {
-      const auto mean = hn::DemoteTo(f, hn::Mul(sum_[i], hn::Set(d, 0x1p-24)));
-      hn::StoreU(Stored(f, mean), f, texel + i * hn::Lanes(d));
-    }
-  }
-
- private:
-  using Fours = hn::CappedTag<double, 4>;
-  static constexpr std::size_t kVectors = 4 / hn::MaxLanes(Fours());
-  hn::Vec<Fours> sum_[kVectors];
+/// The four texels of sixteen samples in one level: where they are, and their weights in 2^-24.
+struct LevelReads {
+  alignas(64) std::int32_t index[4][16];  ///< in the level's picture, or kBorderTexel, kNoTexel
+  alignas(64) double weight[4][16];
 };
+/// Outside a picture with borders; of weight 0, which adds nothing, be the texel infinite.
+constexpr std::int32_t kBorderTexel = -1, kNoTexel = -2;
 
-/// One level's part of each sample's sum.
-struct LevelAddresses {
-  AxisTexels x, y;
-};
-
-HWY_INLINE void AddLevel(const TextureLevel& level, const LevelAddresses& at, std::size_t k, std::int32_t level_weight,
-                         const float* border, TexelSum& sum) {
-  const auto* texels = &level.linear.data()->x;
-  const auto texel = [&](std::int32_t x, std::int32_t y) HWY_ATTR {
-    return (x | y) < 0 ? border : texels + 4 * (std::size_t(y) * std::size_t(level.size_px.x) + std::size_t(x));
-  };
-  const std::int32_t x1 = at.x.second_weight_fx8[k], x0 = 256 - x1;
-  const std::int32_t y1 = level_weight * at.y.second_weight_fx8[k], y0 = level_weight * 256 - y1;
-  sum.Add(texel(at.x.first[k], at.y.first[k]), y0 * x0);
-  sum.Add(texel(at.x.second[k], at.y.first[k]), y0 * x1);
-  sum.Add(texel(at.x.first[k], at.y.second[k]), y1 * x0);
-  sum.Add(texel(at.x.second[k], at.y.second[k]), y1 * x1);
-}
-
-/// Addresses in the level of each sample, or in the one above it.
-HWY_INLINE void AddressesOf(const Surface& s, const std::int32_t* levels, std::int32_t above,
-                            const SurfaceSamples& samples, LevelAddresses& at) {
+/// Reads in the level of each sample, or in the one above it.
+///   level_weights_fx8   [16] of that level
+HWY_INLINE void ReadsOf(const Surface& s, const std::int32_t* levels, std::int32_t above,
+                        const std::int32_t* level_weights_fx8, const SurfaceSamples& samples, LevelReads& out) {
+  const Doubles d;
+  const HalfInts i32;
   alignas(64) std::int32_t width[16], height[16];
   const auto top = std::int32_t(s.texture->levels.size()) - 1;
   for (std::size_t k = 0; k < 16; ++k) {
     const glm::ivec2 size = s.texture->levels[std::size_t(HWY_MIN(levels[k] + above, top))].size_px;
     width[k] = size.x, height[k] = size.y;
   }
-  LinearTexelsAt(samples.u, width, s.sampler.wrap_u, at.x);
-  LinearTexelsAt(samples.v, height, s.sampler.wrap_v, at.y);
+  AxisTexels x, y;
+  LinearTexelsAt(samples.u, width, s.sampler.wrap_u, x);
+  LinearTexelsAt(samples.v, height, s.sampler.wrap_v, y);
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(i32)) {
+    const auto level = hn::Load(i32, level_weights_fx8 + lane), row = hn::Load(i32, width + lane);
+    const auto x1 = hn::Load(i32, x.second_weight_fx8 + lane);
+    const auto y1 = hn::Mul(level, hn::Load(i32, y.second_weight_fx8 + lane));
+    const hn::Vec<HalfInts> x_weights[2] = {hn::Sub(hn::Set(i32, 256), x1), x1};
+    const hn::Vec<HalfInts> y_weights[2] = {hn::Sub(hn::ShiftLeft<8>(level), y1), y1};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto tx = hn::Load(i32, (k & 1 ? x.second : x.first) + lane);
+      const auto ty = hn::Load(i32, (k >> 1 ? y.second : y.first) + lane);
+      const auto weight = hn::Mul(y_weights[k >> 1], x_weights[k & 1]);
+      const auto outside = hn::Lt(hn::Or(tx, ty), hn::Zero(i32));
+      const auto index = hn::IfThenElse(outside, hn::Set(i32, kBorderTexel), hn::Add(hn::Mul(ty, row), tx));
+      const auto none = hn::Eq(weight, hn::Zero(i32));
+      hn::Store(hn::IfThenElse(none, hn::Set(i32, kNoTexel), index), i32, out.index[k] + lane);
+      hn::Store(hn::PromoteTo(d, weight), d, out.weight[k] + lane);
+    }
+  }
 }
+
+/// Σ weight · texel of one sample, four channels, in double; a weight times a float is exact, so that fused
+/// multiplications give the same sum.
+class TexelSum {
+ public:
+  /// No texel, then the border's.
+  explicit HWY_INLINE TexelSum(const float* special) : special_(special) {
+    for (auto& sum : sum_) sum = hn::Zero(Fours());
+  }
+  HWY_INLINE void Add(const TextureLevel& level, const LevelReads& reads, std::size_t sample) {
+    const Fours d;
+    const hn::Rebind<float, Fours> f;
+    const float* texels = &level.linear.data()->x;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::int32_t index = reads.index[k][sample];
+      const float* texel = (index < 0 ? special_ + 8 : texels) + 4 * std::ptrdiff_t(index);
+      const auto weight = hn::Set(d, reads.weight[k][sample]);
+      for (std::size_t i = 0; i < kVectors; ++i) {
+        sum_[i] = hn::MulAdd(weight, hn::PromoteTo(d, hn::LoadU(f, texel + i * hn::Lanes(d))), sum_[i]);
+      }
+    }
+  }
+  /// The mean over weights that add up to 2^24.
+  HWY_INLINE void StoreMean(float* texel) const {
+    const Fours d;
+    const hn::Rebind<float, Fours> f;
+    for (std::size_t i = 0; i < kVectors; ++i) {
+      hn::StoreU(hn::DemoteTo(f, hn::Mul(sum_[i], hn::Set(d, 0x1p-24))), f, texel + i * hn::Lanes(d));
+    }
+  }
+
+ private:
+  using Fours = hn::CappedTag<double, 4>;
+  static constexpr std::size_t kVectors = 4 / hn::MaxLanes(Fours());
+  const float* special_;
+  hn::Vec<Fours> sum_[kVectors];
+};
 
 std::uint64_t ApplyLinearTexture(const Surface& s, std::uint32_t lanes, SurfaceSamples& samples) {
   const Floats f;
   const glm::vec4 border = store_rgba32f(s.sampler.border);
+  const float special[8] = {0.0f, 0.0f, 0.0f, 0.0f, border.r, border.g, border.b, border.a};
   const auto n_levels = std::int32_t(s.texture->levels.size());
-  alignas(64) std::int32_t levels[16] = {}, fractions[16] = {};
+  alignas(64) std::int32_t levels[16] = {}, fractions[16] = {}, rests[16];
   std::uint32_t blended = 0;
   if (s.sampler.filter == Filter::trilinear) {
     for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
@@ -168,23 +183,24 @@ std::uint64_t ApplyLinearTexture(const Surface& s, std::uint32_t lanes, SurfaceS
       blended |= pair.second_weight_fx8 > 0 ? 1u << k : 0u;
     }
   }
-  LevelAddresses here, above;
-  AddressesOf(s, levels, 0, samples, here);
-  if (blended != 0) AddressesOf(s, levels, 1, samples, above);
+  for (std::size_t k = 0; k < 16; ++k) rests[k] = 256 - fractions[k];
+  LevelReads here, above;
+  ReadsOf(s, levels, 0, rests, samples, here);
+  if (blended != 0) ReadsOf(s, levels, 1, fractions, samples, above);
   alignas(64) float texels[64] = {};
   for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
     const std::size_t k = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
     const TextureLevel* level = &s.texture->levels[std::size_t(levels[k])];
-    TexelSum sum;
-    AddLevel(level[0], here, k, 256 - fractions[k], &border.x, sum);
-    if (fractions[k] > 0) AddLevel(level[1], above, k, fractions[k], &border.x, sum);
+    TexelSum sum(special);
+    sum.Add(level[0], here, k);
+    if (fractions[k] > 0) sum.Add(level[1], above, k);
     sum.StoreMean(texels + 4 * k);
   }
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(f)) {
     F texel[4];
     hn::LoadInterleaved4(f, texels + 4 * lane, texel[0], texel[1], texel[2], texel[3]);
     for (std::size_t c = 0; c < 4; ++c) {
-      F value = hn::Mul(hn::Load(f, samples.rgba[c] + lane), texel[c]);
+      F value = hn::Mul(hn::Load(f, samples.rgba[c] + lane), Stored(f, texel[c]));
       if (s.full != 1.0f) value = hn::Div(value, hn::Set(f, s.full));
       if (s.lambert && !s.cut_out && c < 3) value = hn::Mul(value, hn::Load(f, samples.light + lane));
       hn::Store(value, f, samples.rgba[c] + lane);
