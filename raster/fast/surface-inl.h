@@ -163,7 +163,8 @@ void ShadeSurface(const Surface& s, const SurfaceTriangle& t, int x_fx8, int y_f
   const Doubles d;
   const HalfInts i32;
   const Floats f;
-  const bool weighs = s.has_vertex_colors || (s.lambert && s.has_normals) || s.texture;
+  const bool varies = !t.flat && (s.has_vertex_colors || (s.lambert && s.has_normals));
+  const bool weighs = varies || s.texture;
   const auto attribute = [&](std::size_t c, std::size_t i)
                              HWY_ATTR { return hn::Set(Floats(), c < 4 ? t.colors[c][i] : t.normals[c - 4][i]); };
   const auto front = hn::RebindMask(f, hn::Eq(hn::Set(Ints(), t.front_facing ? 1 : 0), hn::Set(Ints(), 1)));

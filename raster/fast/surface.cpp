@@ -1,5 +1,6 @@
 #include "raster/fast/surface.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -29,6 +30,14 @@ float least_alpha(double threshold, float full) {
   while (least > -kInfinity && passes(least)) least = std::nextafter(least, -kInfinity);
   while (!passes(least)) least = std::nextafter(least, kInfinity);
   return least;
+}
+
+/// Whether interpolation gives the vertices' value whatever the weights are: it is clamped to what is between them (C7).
+/// Not so where it is infinite.
+template <std::size_t N>
+bool all_equal(const std::array<std::array<float, 3>, N>& attribute) {
+  return std::all_of(attribute.begin(), attribute.end(),
+                     [](const auto& a) { return a[0] == a[1] && a[1] == a[2] && std::isfinite(a[0]); });
 }
 
 }  // namespace
@@ -67,6 +76,7 @@ SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& 
     for (int c = 0; c < 4 && !draw.colors.empty(); ++c) t.colors[std::size_t(c)][i] = draw.colors[vertex][c];
     for (int c = 0; c < 3 && !draw.normals.empty(); ++c) t.normals[std::size_t(c)][i] = draw.normals[vertex][c];
   }
+  t.flat = !t.clipped && all_equal(t.colors) && all_equal(t.normals);
   if (draw.texture) set_uvs(draw, piece, t);
   return t;
 }

@@ -31,6 +31,7 @@ struct Surface {
 /// `polygon` weighs them.
 struct SurfaceTriangle : TriangleEdges {
   bool clipped = false, front_facing = true;
+  bool flat = false;  ///< colours and normals are the same at all vertices, so that whatever weighs them does not matter
   std::array<std::array<double, 3>, 3> polygon{};        ///< [corner][vertex]
   std::array<std::array<float, 3>, 4> colors{};          ///< [channel][vertex]
   std::array<std::array<float, 3>, 3> normals{};         ///< [axis][vertex]
