@@ -22,11 +22,11 @@ straight to the houses and back (case 1) and sideways (case 2), and no error. Ho
 <li><b>Seconds</b>: of 2000 frames of 640&nbsp;&times;&nbsp;480, from the mean of the frames that were timed. <b>Times faster</b>:
 than drawing everything with the same skips of the renderer. The paper's renderer had none; &ldquo;with skips&rdquo; ours
 leaves out what is hidden.</li>
-<li><b>Reused %</b>: of the houses that are far enough to be. <b>Pictures a frame</b>: how many are taken anew.</li>
+<li><b>Reused %</b>: of the houses that are far enough to be. <b>Taken a frame</b>: pictures, anew.</li>
 <li><b>FLIP</b>, SSIM, PSNR: against the picture of everything, means over views. <b>Pop</b>: how much more the picture changes
 from one frame to the next than the picture of everything does, in code values; a jump when a picture is taken anew shows
 there, and nowhere else.</li>
-<li><b>Displacement</b>: how far vertices of reused houses are shown from where they are, in pixels, mean and greatest.</li>
+<li><b>Off by</b>: how far vertices of reused houses are shown from where they are, in pixels, in the mean and at most.</li>
 </ul>
 )";
 
@@ -47,15 +47,15 @@ const std::vector<Column> kMethods = {{"name", "method"},
                                       {"speedup_with_skips", "with skips", 2},
                                       {"frame_ms_p99", "p99 ms", 2},
                                       {"reused_percent", "reused %", 1},
-                                      {"captures_per_frame", "pictures a frame", 3},
+                                      {"captures_per_frame", "taken a frame", 2},
                                       {"picture_mib", "MiB kept", 1},
                                       {"flip", "FLIP", 4},
                                       {"ssim", "SSIM", 4},
                                       {"psnr_db", "PSNR dB", 1},
-                                      {"pop", "pop", 3},
-                                      {"pop_max", "greatest pop", 2},
-                                      {"displacement_px", "displacement px", 2},
-                                      {"displacement_max_px", "greatest", 1}};
+                                      {"pop", "pop", 2},
+                                      {"pop_max", "at most", 2},
+                                      {"displacement_px", "off by px", 2},
+                                      {"displacement_max_px", "at most", 1}};
 
 std::string walk_name(std::string_view path) {
   if (path == kApproach) return "case 1, straight";
@@ -84,6 +84,8 @@ const Row* find_row(const std::vector<Row>& rows, const std::string& method) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text("method") == method; });
   return found == rows.end() ? nullptr : &*found;
 }
+
+const Row* find_row(std::vector<Row>&& rows, const std::string& method) = delete;  // it would not outlive the call
 
 std::vector<Row> of_walk(const std::vector<Row>& rows, std::string_view kind, const std::string& scene,
                          const std::string& path) {
@@ -254,8 +256,9 @@ std::string crossovers(const std::vector<Row>& summary) {
   for (const std::string& path : values_of(found, "path")) {
     Row& to = rows.emplace_back();
     to.add("walk", walk_name(path));
+    const std::vector<Row> of_path = rows_with(found, "path", path);
     for (const char* degrees : kThresholds_deg) {
-      const Row* row = find_row(rows_with(found, "path", path), reuse_at(degrees));
+      const Row* row = find_row(of_path, reuse_at(degrees));
       if (row == nullptr) continue;
       to.add(degrees, row->find("triangles") ? fixed_text(row->number("triangles"), 0) : std::string("never"));
     }
@@ -307,7 +310,8 @@ std::string section_of_walk(const FoundResults& found, const std::string& scene,
 std::vector<std::string> whole_scenes(const std::vector<Row>& summary) {
   std::vector<std::string> scenes;
   for (const std::string& scene : values_of(rows_with(summary, "kind", kOfMethod), "scene")) {
-    if (find_row(rows_with(summary, "scene", scene), kLiteral)) scenes.push_back(scene);
+    const std::vector<Row> rows = rows_with(summary, "scene", scene);
+    if (find_row(rows, kLiteral)) scenes.push_back(scene);
   }
   return scenes;
 }
