@@ -9,6 +9,7 @@
 #include "techniques/inner_boxes/inner_boxes.h"
 #include "techniques/masked_occlusion/masked_occlusion.h"
 #include "techniques/plain/plain.h"
+#include "techniques/predicted_reuse/predicted_reuse.h"
 
 namespace lode::experiments {
 namespace {
@@ -137,8 +138,8 @@ std::vector<Parameter> image_reuse_parameters() {
        p.threshold_deg},
       choice_parameter("angle", "what of the viewing angle counts", {"full", "yaw"}, 0),
       choice_parameter("placement", "where plates go, and what is captured", {"corrected", "literal"}, 0),
-      {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.near_radii},
-      {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.near_distance},
+      {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.far.radii},
+      {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.far.distance},
       {"magnification", "growth of a picture's pixels from which on it is taken anew; 0: off", 0, 1e6, p.magnification},
       {"captures", "in a frame at most; 0: no limit", 0, 1e6, double(p.most_captures), true},
       {"memory", "MiB of pictures at most; 0: no limit", 0, 1e6, 0}};
@@ -148,11 +149,28 @@ AnyTechnique make_image_reuse(const ParameterValues& v) {
   return AnyTechnique(techniques::ImageReuse({.threshold_deg = v.at("threshold"),
                                               .angle = techniques::AngleRule(int(v.at("angle"))),
                                               .placement = techniques::PlatePlacement(int(v.at("placement"))),
-                                              .near_radii = v.at("near_radii"),
-                                              .near_distance = v.at("near"),
+                                              .far = {.radii = v.at("near_radii"), .distance = v.at("near")},
                                               .magnification = v.at("magnification"),
                                               .most_captures = int(v.at("captures")),
                                               .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
+}
+
+std::vector<Parameter> predicted_reuse_parameters() {
+  const techniques::PredictedReuse::Params p;
+  return {{"error", "predicted of a picture from which on it is taken anew, px; 0: in every frame", 0, 1e6, p.error_px},
+          {"captures", "in a frame at most, the worst first; 0: no limit", 0, 1e6, double(p.most_captures), true},
+          {"cell", "side of a relief's cells, px of the picture; 0: plates", 0, 1024, double(p.cell_px), true},
+          {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.far.radii},
+          {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.far.distance},
+          {"memory", "MiB of pictures at most; 0: no limit", 0, 1e6, 0}};
+}
+
+AnyTechnique make_predicted_reuse(const ParameterValues& v) {
+  return AnyTechnique(techniques::PredictedReuse({.error_px = v.at("error"),
+                                                  .most_captures = int(v.at("captures")),
+                                                  .cell_px = int(v.at("cell")),
+                                                  .far = {.radii = v.at("near_radii"), .distance = v.at("near")},
+                                                  .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
 }
 
 std::vector<TechniqueEntry> make_list() {
@@ -180,6 +198,8 @@ std::vector<TechniqueEntry> make_list() {
        with_slab_parameters(with_box_parameters({}), techniques::InnerBoxes::default_slabs()), make_inner_boxes},
       {"image_reuse", "Far objects are drawn as plates with the picture that they last had", image_reuse_parameters(),
        make_image_reuse},
+      {"predicted_reuse", "Far objects are drawn as reliefs of pictures, taken anew by the error that is predicted",
+       predicted_reuse_parameters(), make_predicted_reuse},
   };
 }
 

@@ -16,6 +16,13 @@ glm::dvec3 centre_of(const std::array<glm::dvec3, 4>& corners) {
   return 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
+/// From positions around a centre.
+glm::dmat4 world_from(const glm::dvec3& centre) {
+  glm::dmat4 matrix(1.0);
+  matrix[3] = glm::dvec4(centre, 1.0);
+  return matrix;
+}
+
 }  // namespace
 
 const char* name_of(Promise promise) {
@@ -47,6 +54,7 @@ void Stage::begin(const View& view) {
   std::fill(drawn_.begin(), drawn_.end(), std::uint8_t{0});
   plates_.clear();
   plate_corners_.clear();
+  reliefs_.clear();
   draws_.clear();
   released_.clear();
   work_ = {};
@@ -64,6 +72,12 @@ void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4
   plates_.push_back({.object = id, .picture = &this->picture(picture), .corners_world = corners_world, .edge = edge});
   std::array<glm::vec3, 4>& corners = plate_corners_.emplace_back();
   for (std::size_t k = 0; k < 4; ++k) corners[k] = glm::vec3(corners_world[k] - centre);
+  ++work_.plates;
+}
+
+void Stage::relief(ObjectId id, PictureId picture, const glm::dvec3& centre_world,
+                   std::shared_ptr<const PictureRelief> relief, PlateEdge edge) {
+  reliefs_.push_back({id, &this->picture(picture), centre_world, std::move(relief), edge});
   ++work_.plates;
 }
 
@@ -134,30 +148,45 @@ std::span<const raster::Draw> Stage::draws() {
       draws_.push_back(world_.draws().draw(object.first_instance + k, clip_from_world));
     }
   }
-  if (plates_.empty()) return draws_;
+  if (plates_.empty() && reliefs_.empty()) return draws_;
   for (std::size_t i = 0; i < plates_.size(); ++i) draws_.push_back(plate_draw(i, clip_from_world));
+  for (const Relief& relief : reliefs_) draws_.push_back(relief_draw(relief, clip_from_world));
   std::stable_sort(draws_.begin(), draws_.end(),
                    [](const raster::Draw& a, const raster::Draw& b) { return *a.draw_id < *b.draw_id; });
   return draws_;
 }
 
-raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world) const {
-  const ShownPlate& plate = plates_[i];
-  glm::dmat4 world_from_plate(1.0);
-  world_from_plate[3] = glm::dvec4(centre_of(plate.corners_world), 1.0);
+/// All but where it is.
+raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture& picture, PlateEdge edge) const {
   raster::Draw draw;
-  draw.topology = raster::Topology::quads;
-  draw.vertices = raster::ObjectVertices{plate_corners_[i], clip_from_world * world_from_plate};
-  draw.uvs = kPlateUvs;
-  draw.texture = &plate.picture->texture;
+  draw.texture = &picture.texture;
   draw.sampler = {.filter = raster::Filter::trilinear, .wrap_u = raster::Wrap::border, .wrap_v = raster::Wrap::border};
-  if (plate.edge == PlateEdge::cutout) {
+  if (edge == PlateEdge::cutout) {
     draw.alpha_test = 0.5;
     draw.shader = cutout_;
   }
-  if (plate.edge == PlateEdge::blended) draw.blend = raster::Blend::over;
-  draw.draw_id = world_.objects()[plate.object].first_instance;
+  if (edge == PlateEdge::blended) draw.blend = raster::Blend::over;
+  draw.draw_id = world_.objects()[id].first_instance;
   draw.primitive_id = kStandInPrimitive;
+  return draw;
+}
+
+raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world) const {
+  const ShownPlate& plate = plates_[i];
+  raster::Draw draw = picture_draw(plate.object, *plate.picture, plate.edge);
+  draw.topology = raster::Topology::quads;
+  draw.vertices = raster::ObjectVertices{plate_corners_[i],
+                                         clip_from_world * world_from(centre_of(plate.corners_world))};
+  draw.uvs = kPlateUvs;
+  return draw;
+}
+
+raster::Draw Stage::relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const {
+  raster::Draw draw = picture_draw(relief.object, *relief.picture, relief.edge);
+  draw.topology = raster::Topology::triangles;
+  draw.vertices = raster::ObjectVertices{relief.mesh->positions, clip_from_world * world_from(relief.centre_world)};
+  draw.indices = relief.mesh->indices;
+  draw.uvs = relief.mesh->uvs;
   return draw;
 }
 

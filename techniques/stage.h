@@ -39,6 +39,13 @@ struct CapturedPicture {
   [[nodiscard]] glm::ivec2 size_px() const { return texture.levels.front().size_px; }
 };
 
+/// A picture's pixels as a mesh in the world.
+struct PictureRelief {
+  std::vector<glm::vec3> positions;    ///< [n] from a centre
+  std::vector<glm::vec2> uvs;          ///< [n] in the picture: (0, 0) its upper left, (1, 1) its lower right
+  std::vector<std::uint32_t> indices;  ///< [3 · triangles], each < n
+};
+
 /// How a plate's picture meets what is behind it.
 enum class PlateEdge : std::uint8_t {
   cutout,  ///< opaque where its alpha is at least one half, with depth: order-free
@@ -57,7 +64,7 @@ struct ShownPlate {
 struct StageWork {
   std::uint64_t objects = 0;     ///< drawn as the scene has them
   std::uint64_t primitives = 0;  ///< theirs
-  std::uint64_t plates = 0;
+  std::uint64_t plates = 0;  ///< and reliefs
   std::uint64_t captures = 0;
   std::uint64_t captured_px = 0;
 };
@@ -85,6 +92,10 @@ class Stage {
   ///   corners_world   upper left, lower left, lower right, upper right of the picture, in one plane
   /// Throws raster::Error (bad_input) if there is no such picture.
   void plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge);
+
+  /// A picture in an object's place that is no plate. Throws raster::Error (bad_input) if there is no such picture.
+  void relief(ObjectId id, PictureId picture, const glm::dvec3& centre_world,
+              std::shared_ptr<const PictureRelief> relief, PlateEdge edge);
 
   /// Draws the objects alone, at once, on nothing, and keeps the picture until it is released.
   ///   size_px   1…16384 a side
@@ -128,8 +139,17 @@ class Stage {
   [[nodiscard]] std::span<const PartTime> times() const { return times_; }
 
  private:
+  struct Relief {
+    ObjectId object;
+    const CapturedPicture* picture;
+    glm::dvec3 centre_world;
+    std::shared_ptr<const PictureRelief> mesh;
+    PlateEdge edge;
+  };
   void add_time(std::string_view part, std::chrono::steady_clock::duration time);
+  [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture& picture, PlateEdge edge) const;
   [[nodiscard]] raster::Draw plate_draw(std::size_t plate, const glm::dmat4& clip_from_world) const;
+  [[nodiscard]] raster::Draw relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const;
 
   const World& world_;
   raster::RenderOptions options_;
@@ -139,6 +159,7 @@ class Stage {
   std::vector<std::uint8_t> drawn_;  ///< [objects]
   std::vector<ShownPlate> plates_;   ///< in the order in which they came
   std::vector<std::array<glm::vec3, 4>> plate_corners_;  ///< [plates] from the mean of their corners
+  std::vector<Relief> reliefs_;
   std::vector<raster::Draw> draws_;
   std::map<PictureId, std::unique_ptr<CapturedPicture>> pictures_;
   std::vector<std::unique_ptr<CapturedPicture>> released_;  ///< in this frame

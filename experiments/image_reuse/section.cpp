@@ -26,7 +26,7 @@ leaves out what is hidden.</li>
 <li><b>FLIP</b>, SSIM, PSNR: against the picture of everything, means over views. <b>Pop</b>: how much more the picture changes
 from one frame to the next than the picture of everything does, in code values; a jump when a picture is taken anew shows
 there, and nowhere else.</li>
-<li><b>Off by</b>: how far vertices of reused houses are shown from where they are, in pixels, in the mean and at most.</li>
+<li><b>Off by</b>: how far vertices on plates are shown from where they are, in pixels, in the mean and at most.</li>
 </ul>
 )";
 
@@ -69,6 +69,12 @@ std::string spoken(const std::string& method) {
     text = "reuse, " + text.substr(std::string("image_reuse:threshold=").size());
     const std::size_t comma = text.find(',', 7);
     text.insert(comma == std::string::npos ? text.size() : comma, "°");
+  }
+  if (text.starts_with("predicted_reuse")) {
+    text.replace(0, std::string("predicted_reuse").size(), "predicted,");
+    if (text.find("cell=0") == std::string::npos) text.insert(std::string("predicted,").size(), " relief");
+    if (const std::size_t flat = text.find("cell=0"); flat != std::string::npos) text.replace(flat, 6, "flat");
+    if (const std::size_t px = text.find("error="); px != std::string::npos) text = text.replace(px, 6, "") + " px";
   }
   std::replace(text.begin(), text.end(), '_', ' ');
   for (const char from : {':', '='}) std::replace(text.begin(), text.end(), from, ' ');

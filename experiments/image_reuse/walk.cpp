@@ -120,7 +120,7 @@ class WalkRunner {
   void add_errors(const Bytes& reference, const Bytes& shown, const PreparedMethod& method,
                   const techniques::View& view, Row& row) const {
     const Displacement moved = displacement(world_, method.stage(), view);
-    row.add("displacement_px", moved.mean_px()).add("displacement_max_px", moved.max_px);
+    if (moved.n > 0) row.add("displacement_px", moved.mean_px()).add("displacement_max_px", moved.max_px);
     const PicturePair pair{walk_.size_px, reference, shown};
     const bool same = reference == shown;
     row.add("flip", same ? 0.0 : mean_error(flip_map(pair, {.threads = threads_}).errors));

@@ -24,7 +24,7 @@ struct Walk {
 /// Columns of `results` beside scene, path, frame, method, and a column for each counter of the technique:
 ///   plates, captures, captured_px, objects, primitives      what the stage did
 ///   triangles_in, fragments_shaded, texels_read             the renderer's work
-///   displacement_px, displacement_max_px                    where error is measured: mean and greatest (displacement.h)
+///   displacement_px, displacement_max_px   of plates, where error is measured: mean and greatest (displacement.h)
 ///   flip, psnr_db, ssim                                     likewise, against the picture of everything
 ///   pop, pop_p99                                            of steady frames (popping.h)
 /// Columns of `times` beside those four: technique_ms, render_ms, frame_ms: medians over the passes.

@@ -9,11 +9,12 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
-#include "techniques/image_reuse/plate_placement.h"
+#include "techniques/far_objects.h"
 #include "techniques/image_reuse/viewing_angle.h"
+#include "techniques/picture_store.h"
+#include "techniques/plate_placement.h"
 #include "techniques/stage.h"
 
 namespace lode::techniques {
@@ -26,9 +27,7 @@ class ImageReuse {
     double threshold_deg = 2.0;
     AngleRule angle = AngleRule::full;
     PlatePlacement placement = PlatePlacement::corrected;
-    // Objects nearer than both are drawn as they are. The paper: "a fixed distance".
-    double near_radii = 3.0;      ///< radii of the sphere around the object's box
-    double near_distance = 30.0;  ///< world units
+    FarRule far{};  ///< the paper: "a fixed distance"
     /// A picture is taken anew when its pixels have grown by this factor. Not in the paper, which lets them grow. 0:
     /// off.
     double magnification = 0.0;
@@ -48,12 +47,10 @@ class ImageReuse {
   Counters draw(const View& view, Stage& stage);
 
  private:
-  struct Kept {
-    PictureId picture;
-    glm::dvec3 direction;
+  /// What is known of an object's picture.
+  struct Plate {
+    glm::dvec3 direction{0.0};
     PlateSides sides;
-    std::uint64_t bytes = 0;
-    std::uint64_t shown = 0;  ///< in which frame, the last time
   };
   /// An object that wants a new picture.
   struct Wanted {
@@ -62,21 +59,19 @@ class ImageReuse {
     raster::Rect window_px;
   };
   struct Work {
-    std::uint64_t near = 0, reused = 0, captured = 0, postponed = 0, unfit = 0, evicted = 0;
+    std::uint64_t near = 0, reused = 0, captured = 0, postponed = 0, unfit = 0;
   };
 
   void look_at(const View& view, ObjectId id, Stage& stage);
   void capture(const View& view, const Wanted& wanted, Stage& stage);
-  [[nodiscard]] bool make_room(std::uint64_t bytes, Stage& stage);
   void show(const View& view, ObjectId id, Stage& stage);
-  void drop(ObjectId id, Stage& stage);
 
   Params params_;
-  double threshold_;                       ///< as angle_measure
-  std::vector<std::optional<Kept>> kept_;  ///< [objects]
+  double threshold_;  ///< as angle_measure
+  PictureStore pictures_;
+  std::vector<Plate> plates_;  ///< [objects] of those that have a picture
   std::vector<Wanted> wanted_;
   std::vector<ObjectId> in_view_;
-  std::uint64_t frame_ = 0, bytes_ = 0;
   bool forget_ = false;
   Work work_;
 };

@@ -121,7 +121,7 @@ TEST(ImageReuse, CapturesWhatReachesBeyondTheView) {
 TEST(ImageReuse, InLiteralPlacementJumpsByTheDistanceOfTheRectanglesMiddleFromTheCentre) {
   Scene scene;
   geometry::add_instance(scene, geometry::box({-5.0, 0.0, -5.0}, {5.0, 8.0, 5.0}), colored({1, 0.5f, 0, 1}));
-  Walk walk(scene, {.placement = PlatePlacement::literal, .near_distance = 0.0});
+  Walk walk(scene, {.placement = PlatePlacement::literal, .far = {.distance = 0.0}});
   View view{.camera = {}, .size_px = {320, 240}};
   view.camera.tan_half_fov_y = 120.0 / 650.0;  // f = 650
   int n_whole = 0;
@@ -269,7 +269,7 @@ TEST(ImageReuse, DrawsWhateverNoPictureWouldDoFor) {
   geometry::add_instance(scene, geometry::sphere(glm::dvec3(0.0), 60.0, 16, 8), colored({0, 1, 0, 1}), moved(0, -80));
   geometry::add_instance(scene, geometry::box(glm::dvec3(1.0), glm::dvec3(1.0)), colored({1, 1, 1, 1}), moved(4, 0));
   for (const PlatePlacement placement : {PlatePlacement::corrected, PlatePlacement::literal}) {
-    Walk walk(scene, {.placement = placement, .near_radii = 0.0, .near_distance = 0.0});
+    Walk walk(scene, {.placement = placement, .far = {.radii = 0.0, .distance = 0.0}});
     for (const glm::dvec3& eye :
          {glm::dvec3(0, 0, 20), glm::dvec3(0, 0, 0), glm::dvec3(5, 1, 1), glm::dvec3(0, 0, 61)}) {
       for (const glm::dvec3& target : {eye + glm::dvec3(0, 0, -1), eye + glm::dvec3(1, 2, 3)}) {

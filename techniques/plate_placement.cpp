@@ -1,4 +1,4 @@
-#include "techniques/image_reuse/plate_placement.h"
+#include "techniques/plate_placement.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,0 +1,116 @@
+#include "techniques/predicted_reuse/predicted_reuse.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "techniques/objects_in_view.h"
+#include "techniques/predicted_reuse/relief.h"
+
+namespace lode::techniques {
+namespace {
+
+constexpr double kNoPicture = 1e300;  ///< px: worse than any error
+
+}  // namespace
+
+double predicted_error_px(const View& view, const geometry::Bounds& box, const glm::dvec3& eye, double pixel) {
+  const glm::dvec3 centre = box.centre(), then = eye - centre, now = view.camera.eye - centre;
+  const double pixel_now = pixel_size_at(view, centre).x;
+  const double lengths = glm::length(then) * glm::length(now);
+  if (!(lengths > 0.0) || !(pixel_now > 0.0)) return kNoPicture;
+  const double sine = glm::dot(then, now) > 0.0 ? glm::length(glm::cross(then, now)) / lengths : 1.0;
+  const glm::dvec3 direction = glm::abs(now) / glm::length(now);
+  const double reach = glm::dot(direction, 0.5 * (box.high - box.low));
+  return reach * sine / pixel_now + 0.5 * std::max(pixel / pixel_now - 1.0, 0.0);
+}
+
+void PredictedReuse::prepare(Stage& stage) {
+  pictures_.reset(stage.world().objects().size());
+  poses_.assign(stage.world().objects().size(), {});
+  forget_ = false;
+}
+
+Counters PredictedReuse::draw(const View& view, Stage& stage) {
+  pictures_.begin_frame();
+  work_ = {};
+  wanted_.clear();
+  if (forget_) pictures_.drop_all(stage);
+  forget_ = false;
+  const std::vector<ObjectId> in_view = objects_in_view(stage.world(), view);
+  for (const ObjectId id : in_view) look_at(view, id, stage);
+  std::stable_sort(wanted_.begin(), wanted_.end(),
+                   [](const Wanted& a, const Wanted& b) { return a.error_px > b.error_px; });
+  {
+    const auto timer = stage.time("capture");
+    for (const Wanted& wanted : wanted_) capture(view, wanted, stage);
+  }
+  return {{"objects_in_view", in_view.size()}, {"near", work_.near},
+          {"reused", work_.reused},            {"captured", work_.captured},
+          {"late", work_.late},                {"unfit", work_.unfit},
+          {"evicted", pictures_.evicted()},    {"picture_bytes", pictures_.bytes()},
+          {"relief_triangles", work_.relief_triangles}};
+}
+
+/// Draws the object, shows its picture, or puts it among those that want a new one.
+void PredictedReuse::look_at(const View& view, ObjectId id, Stage& stage) {
+  const geometry::Bounds& box = stage.world().objects()[id].bounds;
+  const glm::dvec3 centre = box.centre();
+  if (!params_.far.is_far(view, box)) {
+    ++work_.near;
+    return stage.object(id);
+  }
+  const bool plane_is_seen = plane_in_view(view, centre);
+  double error_px = kNoPicture;
+  if (pictures_.find(id) && plane_is_seen) {
+    error_px = predicted_error_px(view, box, poses_[id].eye, poses_[id].pixel);
+    if (error_px < params_.error_px) {
+      ++work_.reused;
+      return show(id, stage);
+    }
+  }
+  const std::optional<raster::Rect> window_px = plane_is_seen ? capture_window(view, box) : std::nullopt;
+  if (!window_px || !worth_capturing(view, *window_px)) {
+    ++work_.unfit;
+    return stage.object(id);
+  }
+  wanted_.push_back({id, error_px, *window_px});
+}
+
+/// Takes a new picture and shows it; shows the old one, or the object, where that may not be.
+void PredictedReuse::capture(const View& view, const Wanted& wanted, Stage& stage) {
+  const ObjectId id = wanted.object;
+  if (params_.most_captures > 0 && work_.captured == std::uint64_t(params_.most_captures)) {
+    if (!pictures_.find(id)) return stage.object(id);
+    ++work_.late;
+    return show(id, stage);
+  }
+  pictures_.drop(id, stage);
+  const std::uint64_t bytes =
+      captured_bytes(wanted.window_px.size_px) + most_relief_bytes(wanted.window_px.size_px, params_.cell_px);
+  if (!pictures_.make_room(bytes, stage)) {
+    ++work_.unfit;
+    return stage.object(id);
+  }
+  const std::vector<ObjectId> alone = {id};
+  const glm::dvec3 centre = stage.world().objects()[id].bounds.centre();
+  const PlateSides sides = plate_sides(view, centre, wanted.window_px, PlatePlacement::corrected);
+  const PictureId picture = stage.capture(alone, view, wanted.window_px);
+  pictures_.keep(id, picture, bytes);
+  poses_[id] = {.eye = view.camera.eye, .pixel = sides.pixel, .corners_world = plate_corners(view, centre, sides)};
+  if (params_.cell_px > 0) {
+    poses_[id].relief =
+        std::make_shared<const PictureRelief>(make_relief(stage.picture(picture), centre, params_.cell_px));
+  }
+  ++work_.captured;
+  show(id, stage);
+}
+
+void PredictedReuse::show(ObjectId id, Stage& stage) {
+  pictures_.show(id);
+  const Pose& pose = poses_[id];
+  if (!pose.relief) return stage.plate(id, *pictures_.find(id), pose.corners_world, PlateEdge::cutout);
+  work_.relief_triangles += pose.relief->indices.size() / 3;
+  stage.relief(id, *pictures_.find(id), stage.world().objects()[id].bounds.centre(), pose.relief, PlateEdge::cutout);
+}
+
+}  // namespace lode::techniques

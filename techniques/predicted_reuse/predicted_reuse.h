@@ -1,0 +1,78 @@
+#pragma once
+/// Pictures of far objects, kept from frame to frame as image_reuse keeps them, with what has come since (README.md):
+/// they stay where they were taken, can have relief, and are taken anew by the error that is predicted for them, the
+/// worst first, so many in a frame.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "techniques/far_objects.h"
+#include "techniques/picture_store.h"
+#include "techniques/plate_placement.h"
+#include "techniques/stage.h"
+
+namespace lode::techniques {
+
+class PredictedReuse {
+ public:
+  struct Params {
+    double error_px = 1.0;         ///< a picture is taken anew when more is predicted of it; 0: in every frame
+    int most_captures = 4;         ///< in one frame, the worst first; 0: any. The others are late.
+    int cell_px = 8;               ///< side of a relief's cells, px of the picture; 0: a plate
+    FarRule far{};
+    std::uint64_t most_bytes = 0;  ///< of pictures that are kept, those shown last the longest. 0: any
+  };
+
+  PredictedReuse() : PredictedReuse(Params{}) {}
+  explicit PredictedReuse(const Params& params) : params_(params), pictures_(params.most_bytes) {}
+
+  [[nodiscard]] Promise promise() const { return Promise::approximate; }
+  void prepare(Stage& stage);
+  void cut() { forget_ = true; }
+  /// Counters: objects_in_view, near (drawn since they are), reused, captured, late (shown with an error above the
+  /// limit), unfit (drawn since no picture of them would be seen, or fit), evicted, picture_bytes, relief_triangles.
+  /// Throws raster::Error (bad_input if the world's colours are raw; out_of_memory).
+  Counters draw(const View& view, Stage& stage);
+
+ private:
+  /// What is known of an object's picture.
+  struct Pose {
+    glm::dvec3 eye{0.0};  ///< of the capture
+    double pixel = 0.0;   ///< width of one in the plane through the centre, world units
+    std::array<glm::dvec3, 4> corners_world{};
+    std::shared_ptr<const PictureRelief> relief{};  ///< null: a plate
+  };
+  /// An object that wants a new picture.
+  struct Wanted {
+    ObjectId object;
+    double error_px;
+    raster::Rect window_px;
+  };
+  struct Work {
+    std::uint64_t near = 0, reused = 0, captured = 0, late = 0, unfit = 0, relief_triangles = 0;
+  };
+
+  void look_at(const View& view, ObjectId id, Stage& stage);
+  void capture(const View& view, const Wanted& wanted, Stage& stage);
+  void show(ObjectId id, Stage& stage);
+
+  Params params_;
+  PictureStore pictures_;
+  std::vector<Pose> poses_;  ///< [objects] of those that have a picture
+  std::vector<Wanted> wanted_;
+  bool forget_ = false;
+  Work work_;
+};
+
+/// How wrong a picture is predicted to be, px: a point as far from the plane of the picture as the box reaches has moved
+/// by z·sin Δ·f/D (Δ: by how much the eye has turned around the object), and a pixel that has grown by the factor s is up
+/// to (s − 1)/2 beside its place.
+///   eye     of the capture
+///   pixel   width of one of its pixels in the plane through the box's centre, world units
+[[nodiscard]] double predicted_error_px(const View& view, const geometry::Bounds& box, const glm::dvec3& eye,
+                                        double pixel);
+
+}  // namespace lode::techniques
