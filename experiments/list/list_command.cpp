@@ -1,6 +1,7 @@
 #include "experiments/list/list_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -24,6 +25,7 @@ struct ListOptions {
 struct Entry {
   std::string name, summary;
   std::vector<Parameter> parameters;
+  std::string promise = {};  ///< of a technique, with the parameters' defaults
 };
 struct Kind {
   std::string name;
@@ -33,7 +35,10 @@ struct Kind {
 std::vector<Kind> all_kinds() {
   std::vector<Kind> kinds = {{"scenes", {}}, {"techniques", {}}, {"experiments", {}}};
   for (const BuiltinScene& s : builtin_scenes()) kinds[0].entries.push_back({s.name, s.summary, s.parameters});
-  for (const TechniqueEntry& t : technique_list()) kinds[1].entries.push_back({t.name, t.summary, t.parameters});
+  for (const TechniqueEntry& t : technique_list()) {
+    kinds[1].entries.push_back(
+        {t.name, t.summary, t.parameters, techniques::name_of(read_technique("list", t.name).make().promise())});
+  }
   for (const Experiment& e : experiment_list()) kinds[2].entries.push_back({e.name, e.summary, e.parameters});
   return kinds;
 }
@@ -58,7 +63,10 @@ ordered_json as_json(const Entry& entry) {
                           {"default", number(p, p.default_value)},
                           {"whole", p.whole}});
   }
-  return {{"name", entry.name}, {"summary", entry.summary}, {"parameters", parameters}};
+  ordered_json json = {{"name", entry.name}, {"summary", entry.summary}};
+  if (!entry.promise.empty()) json["promise"] = entry.promise;
+  json["parameters"] = parameters;
+  return json;
 }
 
 std::string padded(std::string text, std::size_t n) {
@@ -69,11 +77,19 @@ std::string padded(std::string text, std::size_t n) {
 std::string as_text(const Kind& kind) {
   std::string text = kind.name + ":\n";
   if (kind.entries.empty()) text += "  none\n";
+  const auto assignment = [](const Parameter& p) { return p.name + "=" + value_text(p, p.default_value); };
+  std::size_t name_width = 0, assignment_width = 0;
   for (const Entry& entry : kind.entries) {
-    text += "  " + padded(entry.name, 12) + entry.summary + "\n";
+    name_width = std::max(name_width, entry.name.size() + 2);
     for (const Parameter& p : entry.parameters) {
-      const std::string assignment = p.name + "=" + value_text(p, p.default_value);
-      text += "    " + padded(assignment, 16) + p.meaning + " (" + range_text(p) + ")\n";
+      assignment_width = std::max(assignment_width, assignment(p).size() + 2);
+    }
+  }
+  for (const Entry& entry : kind.entries) {
+    text += "  " + padded(entry.name, name_width) + entry.summary;
+    text += (entry.promise.empty() ? "" : "; " + entry.promise) + "\n";
+    for (const Parameter& p : entry.parameters) {
+      text += "    " + padded(assignment(p), assignment_width) + p.meaning + " (" + range_text(p) + ")\n";
     }
   }
   return text;

@@ -10,6 +10,7 @@
 namespace lode::tests {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -60,10 +61,27 @@ TEST(List, ScenesTakeTheParametersThatAreListed) {
 TEST(List, TextHasDefaultsAndRanges) {
   const Outcome run = run_lodestone({"list", "scenes"});
   EXPECT_EQ(run.status, 0);
-  EXPECT_THAT(run.out, HasSubstr("  torus       A ring around the y axis"));
-  EXPECT_THAT(run.out, HasSubstr("    tube=0.4        radius of the tube (1e-06 to 1e+06)"));
+  EXPECT_THAT(run.out, HasSubstr("\n  interior124  A flat of"));  // the longest name
+  EXPECT_THAT(run.out, HasSubstr("\n  torus        A ring around the y axis"));
+  EXPECT_THAT(run.out, ContainsRegex("\n    tube=0.4 +radius of the tube \\(1e-06 to 1e\\+06\\)"));
   EXPECT_THAT(run.out, Not(HasSubstr("plain")));
   EXPECT_THAT(run_lodestone({"list"}).out, HasSubstr("techniques:\n  plain"));
+}
+
+TEST(List, TechniquesSayWhatTheyPromise) {
+  const auto techniques = listed({"techniques"})["techniques"];
+  const auto promise_of = [&](const std::string& name) -> std::string {
+    for (const auto& technique : techniques) {
+      if (technique["name"] == name) return technique["promise"];
+    }
+    return "not listed";
+  };
+  EXPECT_EQ(promise_of("plain"), "exact");
+  EXPECT_EQ(promise_of("inner_boxes"), "conservative, continuous");
+  EXPECT_EQ(promise_of("hierarchical_z"), "conservative, sampled");
+  EXPECT_EQ(promise_of("image_reuse"), "approximate");
+  EXPECT_THAT(run_lodestone({"list", "techniques"}).out, HasSubstr("The scene as it is: every object is drawn; exact\n"));
+  EXPECT_FALSE(listed({"scenes"})["scenes"][0].contains("promise"));
 }
 
 TEST(List, AnotherKindIsWrongUsage) {
