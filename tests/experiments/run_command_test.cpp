@@ -23,7 +23,7 @@ TEST(Run, RefusesWhatItDoesNotKnowInOneLine) {
     EXPECT_EQ(run.status, 2) << message;
     EXPECT_THAT(run.err, HasSubstr(message));
   };
-  refused({"shadows"}, "run: expected convex_approximation or convex_culling, found \"shadows\"");
+  refused({"shadows"}, "run: expected convex_approximation, convex_culling or image_reuse, found \"shadows\"");
   refused({"convex_culling", "--size", "huge"}, "--size: expected quick or full, found \"huge\"");
   refused({"convex_culling", "--seed", "-1"}, "--seed: expected a whole number from 0 on, found \"-1\"");
   refused({"convex_culling", "convex_approximation", "--set", "k=1"}, "--set: expected EXPERIMENT.NAME=VALUE");
