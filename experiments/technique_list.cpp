@@ -8,6 +8,7 @@
 #include "techniques/image_reuse/image_reuse.h"
 #include "techniques/inner_boxes/inner_boxes.h"
 #include "techniques/masked_occlusion/masked_occlusion.h"
+#include "techniques/mesh_lod/mesh_lod.h"
 #include "techniques/plain/plain.h"
 #include "techniques/predicted_reuse/predicted_reuse.h"
 
@@ -173,6 +174,21 @@ AnyTechnique make_predicted_reuse(const ParameterValues& v) {
                                                   .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
 }
 
+std::vector<Parameter> mesh_lod_parameters() {
+  const techniques::MeshLod::Params p;
+  return {{"pixels", "error of a level on the screen, less than; 0: all at level 0", 0, 1e9, p.pixels},
+          {"level", "1 to 3: that level everywhere; 0: by the error", 0, techniques::kMeshLevels, double(p.level), true},
+          {"share1", "of a mesh's triangles that level 1 keeps", 0, 1, p.shares[0]},
+          {"share2", "likewise level 2", 0, 1, p.shares[1]},
+          {"share3", "likewise level 3", 0, 1, p.shares[2]}};
+}
+
+AnyTechnique make_mesh_lod(const ParameterValues& v) {
+  return AnyTechnique(techniques::MeshLod({.shares = {v.at("share1"), v.at("share2"), v.at("share3")},
+                                           .pixels = v.at("pixels"),
+                                           .level = int(v.at("level"))}));
+}
+
 std::vector<TechniqueEntry> make_list() {
   return {
       {"plain",
@@ -200,6 +216,8 @@ std::vector<TechniqueEntry> make_list() {
        make_image_reuse},
       {"predicted_reuse", "Far objects are drawn as reliefs of pictures, taken anew by the error that is predicted",
        predicted_reuse_parameters(), make_predicted_reuse},
+      {"mesh_lod", "Objects are drawn from simplified meshes, the coarser the smaller their error is on the screen",
+       mesh_lod_parameters(), make_mesh_lod},
   };
 }
 

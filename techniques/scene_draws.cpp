@@ -1,6 +1,7 @@
 #include "techniques/scene_draws.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "raster/error.h"
 #include "techniques/scene_shader.h"
@@ -64,6 +65,25 @@ raster::Texture make_texture(const geometry::Picture& picture, bool opaque, rast
   }
 }
 
+/// Throws raster::Error (bad_input) unless the mesh can be drawn in place of one of that kind.
+void check_alternate(const geometry::Mesh& mesh, geometry::MeshKind kind, bool textured) {
+  const std::size_t n = mesh.positions.size();
+  const auto fits = [&](std::size_t size) { return size == 0 || size == n; };
+  const bool whole = fits(mesh.normals.size()) && fits(mesh.uvs.size()) && fits(mesh.colors.size()) &&
+                     mesh.indices.size() % geometry::corners_per_primitive(mesh.kind) == 0 &&
+                     std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](std::uint32_t i) { return i < n; });
+  if (mesh.kind != kind) {
+    throw raster::Error(raster::ErrorKind::bad_input, "an alternate mesh: expected primitives of the mesh's own kind");
+  }
+  if (!whole) {
+    throw raster::Error(raster::ErrorKind::bad_input,
+                        "an alternate mesh: expected whole primitives of its vertices, and attributes of them all");
+  }
+  if (textured && mesh.uvs.empty() && n > 0) {
+    throw raster::Error(raster::ErrorKind::bad_input, "an alternate mesh: expected texture coordinates, found none");
+  }
+}
+
 }  // namespace
 
 raster::ColorFormat color_format(ColorSpace space) {
@@ -113,6 +133,33 @@ raster::Draw SceneDraws::draw(std::uint32_t instance, const glm::dmat4& clip_fro
   return draw;
 }
 
+AlternateMesh SceneDraws::alternate(std::uint32_t of, geometry::Mesh mesh) const {
+  const Surface& surface = *surfaces_.at(of);
+  check_alternate(mesh, scene_.meshes[of].kind, surface.draw.texture != nullptr);
+  AlternateMesh alternate{.of = of, .mesh = std::move(mesh), .colors = {}, .clusters = {}};
+  if (surface.lit && alternate.mesh.normals.empty() && alternate.mesh.kind == geometry::MeshKind::triangles) {
+    alternate.mesh = geometry::with_flat_normals(alternate.mesh);
+  }
+  alternate.colors = converted_colors(alternate.mesh, surface.material.alpha_mode == AlphaMode::opaque);
+  if (!clusters_.empty() && clusters_[of]) {
+    alternate.clusters = raster::make_clusters(alternate.mesh.positions, alternate.mesh.indices, 1);
+  }
+  return alternate;
+}
+
+raster::Draw SceneDraws::draw(std::uint32_t instance, const AlternateMesh& alternate,
+                              const glm::dmat4& clip_from_world) const {
+  const Surface& surface = *surfaces_[alternate.of];
+  raster::Draw draw = this->draw(instance, clip_from_world);
+  std::get<raster::ObjectVertices>(draw.vertices).positions = alternate.mesh.positions;
+  draw.indices = alternate.mesh.indices;
+  draw.clusters = alternate.clusters ? &*alternate.clusters : nullptr;
+  if (surface.lit) draw.normals = alternate.mesh.normals;
+  draw.colors = alternate.colors.empty() ? alternate.mesh.colors : alternate.colors;
+  if (draw.texture != nullptr) draw.uvs = alternate.mesh.uvs;
+  return draw;
+}
+
 std::unique_ptr<const SceneDraws::Surface> SceneDraws::make_surface(const geometry::Mesh& scene_mesh) {
   auto surface = std::make_unique<Surface>();
   if (scene_mesh.material) surface->material = scene_.materials[*scene_mesh.material];
@@ -148,14 +195,20 @@ void SceneDraws::set_color(const geometry::Mesh& mesh, Surface& surface) const {
   const glm::vec4 color = premultiplied(surface.material.color, opaque, params_.color_space);
   if (color != white) surface.draw.color = color;
 
+  surface.colors = converted_colors(mesh, opaque);
+  surface.draw.colors = surface.colors.empty() ? mesh.colors : surface.colors;
+}
+
+/// The mesh's colours as the target wants them; none where they are that already.
+std::vector<glm::vec4> SceneDraws::converted_colors(const geometry::Mesh& mesh, bool opaque) const {
   const auto converted = [&](const glm::vec4& c) { return premultiplied(c, opaque, params_.color_space); };
   if (std::all_of(mesh.colors.begin(), mesh.colors.end(), [&](const glm::vec4& c) { return converted(c) == c; })) {
-    surface.draw.colors = mesh.colors;
-    return;
+    return {};
   }
-  surface.colors.reserve(mesh.colors.size());
-  for (const glm::vec4& c : mesh.colors) surface.colors.push_back(converted(c));
-  surface.draw.colors = surface.colors;
+  std::vector<glm::vec4> colors;
+  colors.reserve(mesh.colors.size());
+  for (const glm::vec4& c : mesh.colors) colors.push_back(converted(c));
+  return colors;
 }
 
 /// A mesh without texture coordinates has no texture.

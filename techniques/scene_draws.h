@@ -15,6 +15,7 @@
 #include <glm/vec2.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -31,6 +32,14 @@ enum class ColorSpace : std::uint8_t { srgb, raw };
 
 /// The target's format that a colour space draws into: rgba32f for srgb, rgba8 for raw.
 [[nodiscard]] raster::ColorFormat color_format(ColorSpace space);
+
+/// A mesh that is drawn in place of one of the scene's, with that mesh's material, as SceneDraws::alternate made it.
+struct AlternateMesh {
+  std::uint32_t of = 0;                      ///< the scene's mesh
+  geometry::Mesh mesh;                       ///< with flat normals where it is lit and had none
+  std::vector<glm::vec4> colors;             ///< premultiplied, in the target's unit, where they differ from the mesh's
+  std::optional<raster::Clusters> clusters;  ///< where the scene's meshes have them
+};
 
 class SceneDraws {
  public:
@@ -53,6 +62,15 @@ class SceneDraws {
   /// The draw of one instance, with its index as the draw's id.
   [[nodiscard]] raster::Draw draw(std::uint32_t instance, const glm::dmat4& clip_from_world) const;
 
+  /// Makes a mesh ready to be drawn in place of mesh `of`, which has an instance. Thread-safe.
+  /// Throws raster::Error (bad_input: other primitives than mesh `of`'s, a vertex or corner without all of the mesh's
+  /// attributes, no texture coordinates where the material's texture needs them).
+  [[nodiscard]] AlternateMesh alternate(std::uint32_t of, geometry::Mesh mesh) const;
+
+  /// The draw of an instance of alternate.of that shows the alternate mesh. It borrows from that, too.
+  [[nodiscard]] raster::Draw draw(std::uint32_t instance, const AlternateMesh& alternate,
+                                  const glm::dmat4& clip_from_world) const;
+
   [[nodiscard]] const geometry::Scene& scene() const { return scene_; }
 
  private:
@@ -69,6 +87,7 @@ class SceneDraws {
 
   [[nodiscard]] std::unique_ptr<const Surface> make_surface(const geometry::Mesh& mesh);
   void set_color(const geometry::Mesh& mesh, Surface& surface) const;
+  [[nodiscard]] std::vector<glm::vec4> converted_colors(const geometry::Mesh& mesh, bool opaque) const;
   void set_texture(const geometry::Mesh& mesh, Surface& surface);
   const raster::Texture* texture(const geometry::TextureUse& use, bool opaque);
   [[nodiscard]] raster::Draw instance_draw(const geometry::Instance& instance) const;

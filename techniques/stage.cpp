@@ -52,6 +52,7 @@ Stage::Stage(const World& world, const raster::RenderOptions& options)
 void Stage::begin(const View& view) {
   view_ = view;
   std::fill(drawn_.begin(), drawn_.end(), std::uint8_t{0});
+  stood_in_.clear();
   plates_.clear();
   plate_corners_.clear();
   reliefs_.clear();
@@ -65,6 +66,29 @@ void Stage::object(ObjectId id) {
   if (std::exchange(drawn_.at(id), std::uint8_t{1}) != 0) return;
   ++work_.objects;
   work_.primitives += world_.objects()[id].n_primitives;
+}
+
+void Stage::stand_in(ObjectId id, std::span<const AlternateMesh* const> meshes) {
+  const WorldObject& object = world_.objects()[id];
+  if (meshes.size() != object.n_instances) {
+    throw raster::Error(raster::ErrorKind::bad_input, "object %u: expected a mesh for each of %u instances, found %zu",
+                        id, object.n_instances, meshes.size());
+  }
+  if (std::all_of(meshes.begin(), meshes.end(), [](const AlternateMesh* mesh) { return mesh == nullptr; })) {
+    return this->object(id);
+  }
+  std::uint64_t n_primitives = 0;
+  for (std::uint32_t k = 0; k < object.n_instances; ++k) {
+    const std::uint32_t of = world_.scene().instances[object.first_instance + k].mesh;
+    if (meshes[k] != nullptr && meshes[k]->of != of) {
+      throw raster::Error(raster::ErrorKind::bad_input, "object %u: expected an alternate of mesh %u, found of %u", id,
+                          of, meshes[k]->of);
+    }
+    n_primitives += (meshes[k] != nullptr ? meshes[k]->mesh : world_.scene().meshes[of]).n_primitives();
+  }
+  for (std::uint32_t k = 0; k < object.n_instances; ++k) stood_in_.push_back({object.first_instance + k, meshes[k]});
+  ++work_.stand_ins;
+  work_.stand_in_primitives += n_primitives;
 }
 
 void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge) {
@@ -148,12 +172,21 @@ std::span<const raster::Draw> Stage::draws() {
       draws_.push_back(world_.draws().draw(object.first_instance + k, clip_from_world));
     }
   }
-  if (plates_.empty() && reliefs_.empty()) return draws_;
+  if (stood_in_.empty() && plates_.empty() && reliefs_.empty()) return draws_;
+  for (const StoodIn& stood_in : stood_in_) draws_.push_back(stood_in_draw(stood_in, clip_from_world));
   for (std::size_t i = 0; i < plates_.size(); ++i) draws_.push_back(plate_draw(i, clip_from_world));
   for (const Relief& relief : reliefs_) draws_.push_back(relief_draw(relief, clip_from_world));
   std::stable_sort(draws_.begin(), draws_.end(),
                    [](const raster::Draw& a, const raster::Draw& b) { return *a.draw_id < *b.draw_id; });
   return draws_;
+}
+
+raster::Draw Stage::stood_in_draw(const StoodIn& stood_in, const glm::dmat4& clip_from_world) const {
+  const SceneDraws& scene_draws = world_.draws();
+  if (stood_in.mesh == nullptr) return scene_draws.draw(stood_in.instance, clip_from_world);
+  raster::Draw draw = scene_draws.draw(stood_in.instance, *stood_in.mesh, clip_from_world);
+  draw.primitive_id = kStandInPrimitive;
+  return draw;
 }
 
 /// All but where it is.

@@ -24,7 +24,8 @@
 
 namespace lode::techniques {
 
-/// The primitive of whatever is drawn in an object's place: its draw id is the object's first instance.
+/// The primitive of whatever is drawn in an object's place: its draw id is the instance's whose mesh another one stands
+/// for, and the object's first instance for a picture of the object.
 inline constexpr std::uint32_t kStandInPrimitive = 0xFFFFFFFEu;
 
 using PictureId = std::uint32_t;
@@ -64,6 +65,8 @@ struct ShownPlate {
 struct StageWork {
   std::uint64_t objects = 0;     ///< drawn as the scene has them
   std::uint64_t primitives = 0;  ///< theirs
+  std::uint64_t stand_ins = 0;   ///< objects drawn from other meshes
+  std::uint64_t stand_in_primitives = 0;
   std::uint64_t plates = 0;  ///< and reliefs
   std::uint64_t captures = 0;
   std::uint64_t captured_px = 0;
@@ -87,6 +90,12 @@ class Stage {
 
   /// The object itself. More than once is once.
   void object(ObjectId id);
+
+  /// Other meshes in place of an object's own, each with the material of the one whose place it takes.
+  ///   meshes   one for each of the object's instances, made by SceneDraws::alternate for the instance's mesh, kept as
+  ///            long as the frame is; null where the instance is drawn as it is. All null: the object itself
+  /// Throws raster::Error (bad_input: another number of meshes, or one made for another mesh).
+  void stand_in(ObjectId id, std::span<const AlternateMesh* const> meshes);
 
   /// A picture in an object's place.
   ///   corners_world   upper left, lower left, lower right, upper right of the picture, in one plane
@@ -139,6 +148,11 @@ class Stage {
   [[nodiscard]] std::span<const PartTime> times() const { return times_; }
 
  private:
+  /// An instance of an object that is drawn from other meshes; null: as the scene has it.
+  struct StoodIn {
+    std::uint32_t instance;
+    const AlternateMesh* mesh;
+  };
   struct Relief {
     ObjectId object;
     const CapturedPicture* picture;
@@ -148,6 +162,7 @@ class Stage {
   };
   void add_time(std::string_view part, std::chrono::steady_clock::duration time);
   [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture& picture, PlateEdge edge) const;
+  [[nodiscard]] raster::Draw stood_in_draw(const StoodIn& stood_in, const glm::dmat4& clip_from_world) const;
   [[nodiscard]] raster::Draw plate_draw(std::size_t plate, const glm::dmat4& clip_from_world) const;
   [[nodiscard]] raster::Draw relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const;
 
@@ -157,6 +172,7 @@ class Stage {
   raster::Shader cutout_;
   View view_;
   std::vector<std::uint8_t> drawn_;  ///< [objects]
+  std::vector<StoodIn> stood_in_;    ///< in the order in which they came
   std::vector<ShownPlate> plates_;   ///< in the order in which they came
   std::vector<std::array<glm::vec3, 4>> plate_corners_;  ///< [plates] from the mean of their corners
   std::vector<Relief> reliefs_;

@@ -31,11 +31,11 @@ void add_hash(ordered_json& hashes, const char* plane, const raster::PixelPlane<
 std::string render_stats_json(const RenderReport& report, const raster::Image& image) {
   ordered_json counters = ordered_json::object();
   raster::for_each_counter(report.counters, [&](const char* name, std::uint64_t value) { counters[name] = value; });
-  ordered_json work = {{"objects", report.stage.objects},
-                       {"primitives", report.stage.primitives},
-                       {"plates", report.stage.plates},
-                       {"captures", report.stage.captures},
-                       {"captured_px", report.stage.captured_px}};
+  ordered_json work = {
+      {"objects", report.stage.objects},        {"primitives", report.stage.primitives},
+      {"stand_ins", report.stage.stand_ins},    {"stand_in_primitives", report.stage.stand_in_primitives},
+      {"plates", report.stage.plates},          {"captures", report.stage.captures},
+      {"captured_px", report.stage.captured_px}};
   for (const techniques::Counter& c : report.technique_counters) work[c.name] = c.value;
   ordered_json hashes = ordered_json::object();
   add_hash(hashes, "color", image.rgba8);

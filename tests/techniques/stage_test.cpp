@@ -8,6 +8,7 @@
 #include "geometry/procedural.h"
 #include "raster/error.h"
 #include "techniques/plain/plain.h"
+#include "tests/techniques/technique_pictures.h"
 
 namespace lode::techniques {
 namespace {
@@ -128,6 +129,112 @@ TEST(Stage, PlateShowsWhatWasCapturedAndCarriesTheObjectsId) {
   EXPECT_EQ(image.ids[middle].primitive, kStandInPrimitive);
   EXPECT_EQ(image.rgba32f[middle], glm::vec4(0, 0, 1, 1));
   EXPECT_EQ(image.ids[0].draw, raster::kNoId);  // the plate's corners are cut out
+}
+
+/// Draws everything from copies of its own meshes.
+struct Copies {
+  std::vector<AlternateMesh> meshes;  ///< [the scene's]
+  [[nodiscard]] static Promise promise() { return Promise::exact; }
+  void prepare(Stage& stage) {
+    const Scene& scene = stage.world().scene();
+    for (std::uint32_t k = 0; k < scene.meshes.size(); ++k) {
+      meshes.push_back(stage.world().draws().alternate(k, scene.meshes[k]));
+    }
+  }
+  void cut() {}
+  Counters draw(const View&, Stage& stage) {
+    for (ObjectId id = 0; id < stage.world().objects().size(); ++id) {
+      const WorldObject& object = stage.world().objects()[id];
+      std::vector<const AlternateMesh*> shown;
+      for (std::uint32_t i = object.first_instance; i < object.first_instance + object.n_instances; ++i) {
+        shown.push_back(&meshes[stage.world().scene().instances[i].mesh]);
+      }
+      stage.stand_in(id, shown);
+    }
+    return {};
+  }
+};
+
+/// Whatever the material, the shading and the pipeline: meshes of every alpha mode, mirrored, without normals, with
+/// vertex colours.
+TEST(Stage, CopiesOfMeshesInTheirPlaceLookTheSame) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Scene scene = tests::random_scene(seed, 30);
+    for (std::size_t k = 0; k < scene.meshes.size(); ++k) {
+      geometry::Mesh& mesh = scene.meshes[k];
+      if (k % 3 == 0) mesh.normals.clear();
+      for (std::size_t i = 0; k % 4 == 0 && i < mesh.positions.size(); ++i) {
+        mesh.colors.emplace_back(0.1f * float(i % 10), 0.5f, 1.0f, i % 2 == 0 ? 0.25f : 1.0f);
+      }
+    }
+    for (const ColorSpace space : {ColorSpace::srgb, ColorSpace::raw}) {
+      const World world(scene, {Shading::material, space}, seed % 2 == 0, 1);
+      tests::Showing copies(world, Copies{});
+      tests::Showing plain(world, Plain{});
+      const View view = tests::random_view(seed, 0);
+      tests::TechniquePicture picture = copies.picture(view), expected = plain.picture(view);
+      std::size_t n_drawn = 0;
+      for (raster::Ids& ids : picture.image.ids) {
+        if (ids.draw == raster::kNoId) continue;
+        EXPECT_EQ(ids.primitive, kStandInPrimitive);
+        ids.primitive = 0, ++n_drawn;
+      }
+      for (raster::Ids& ids : expected.image.ids) {
+        if (ids.draw != raster::kNoId) ids.primitive = 0;
+      }
+      EXPECT_GT(n_drawn, 0u);
+      EXPECT_EQ(tests::difference_from_plain(picture, expected), "") << "scene " << seed;
+    }
+  }
+}
+
+TEST(Stage, CountsWhatStandsInAndDrawsTheRestAsItIs) {
+  Scene scene = boxes_and_ball();
+  scene.objects = {{"boxes", 0, 3}, {"ball", 3, 1}};
+  const World world(scene, {}, false);
+  geometry::Mesh half = scene.meshes[0];
+  half.indices.resize(18);
+  const AlternateMesh alternate = world.draws().alternate(0, half);
+  Stage stage(world);
+  stage.begin(front_view());
+  stage.stand_in(0, std::vector<const AlternateMesh*>{nullptr, &alternate, nullptr});
+  stage.stand_in(1, std::vector<const AlternateMesh*>{nullptr});  // the ball itself
+  EXPECT_EQ(stage.work().stand_ins, 1u);
+  EXPECT_EQ(stage.work().stand_in_primitives, 12u + 6u + 12u);
+  EXPECT_EQ(stage.work().objects, 1u);
+  EXPECT_FALSE(stage.drawn(0));
+  EXPECT_TRUE(stage.drawn(1));
+  ASSERT_EQ(stage.draws().size(), 4u);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(stage.draws()[k].draw_id, k);
+    EXPECT_EQ(stage.draws()[k].primitive_id.has_value(), k == 1);
+  }
+}
+
+TEST(Stage, RefusesMeshesThatCannotStandIn) {
+  Scene scene = boxes_and_ball();
+  scene.pictures.push_back({.name = "texel", .size_px = {1, 1}, .texels = {glm::u8vec4(255)}, .has_alpha = false});
+  scene.materials[1].color_texture = geometry::TextureUse{};
+  const World world(scene, {}, false);
+  const SceneDraws& draws = world.draws();
+  const geometry::Mesh& box = scene.meshes[0];
+  const AlternateMesh alternate = draws.alternate(0, box);
+  Stage stage(world);
+  stage.begin(front_view());
+  const std::vector<const AlternateMesh*> one = {&alternate}, two = {&alternate, &alternate};
+  EXPECT_THROW(stage.stand_in(0, two), raster::Error);  // one instance
+  EXPECT_THROW(stage.stand_in(3, one), raster::Error);  // another mesh
+  EXPECT_TRUE(stage.draws().empty());
+  const auto refuses = [&](std::uint32_t of, const auto& change) {
+    geometry::Mesh mesh = box;
+    change(mesh);
+    EXPECT_THROW(static_cast<void>(draws.alternate(of, mesh)), raster::Error);
+  };
+  refuses(0, [](geometry::Mesh& mesh) { mesh.kind = geometry::MeshKind::points; });
+  refuses(0, [](geometry::Mesh& mesh) { mesh.indices[0] = std::uint32_t(mesh.positions.size()); });
+  refuses(0, [](geometry::Mesh& mesh) { mesh.indices.pop_back(); });
+  refuses(0, [](geometry::Mesh& mesh) { mesh.normals.pop_back(); });
+  refuses(1, [](geometry::Mesh& mesh) { mesh.uvs.clear(); });
 }
 
 TEST(Stage, KeepsAReleasedPictureUntilTheNextFrame) {
