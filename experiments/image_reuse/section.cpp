@@ -76,6 +76,7 @@ std::string spoken(const std::string& method) {
     if (const std::size_t flat = text.find("cell=0"); flat != std::string::npos) text.replace(flat, 6, "flat");
     if (const std::size_t px = text.find("error="); px != std::string::npos) text = text.replace(px, 6, "") + " px";
   }
+  if (text.starts_with("mesh_lod")) text.replace(0, std::string("mesh_lod").size(), "levels of detail");
   std::replace(text.begin(), text.end(), '_', ' ');
   for (const char from : {':', '='}) std::replace(text.begin(), text.end(), from, ' ');
   std::size_t at = 0;
