@@ -10,6 +10,7 @@
 #include "techniques/masked_occlusion/masked_occlusion.h"
 #include "techniques/plain/plain.h"
 #include "techniques/predicted_reuse/predicted_reuse.h"
+#include "techniques/twelve_views/twelve_views.h"
 
 namespace lode::experiments {
 namespace {
@@ -173,6 +174,30 @@ AnyTechnique make_predicted_reuse(const ParameterValues& v) {
                                                   .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
 }
 
+/// Which objects are drawn since they are near: the same words wherever pictures stand for the others.
+std::vector<Parameter> with_near_parameters(std::vector<Parameter> parameters) {
+  const techniques::FarRule far;
+  parameters.push_back({"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, far.radii});
+  parameters.push_back({"near", "objects nearer than this are drawn, world units", 0, 1e9, far.distance});
+  return parameters;
+}
+
+techniques::FarRule far_rule(const ParameterValues& v) {
+  return {.radii = v.at("near_radii"), .distance = v.at("near")};
+}
+
+std::vector<Parameter> twelve_views_parameters() {
+  const techniques::TwelveViews::Params p;
+  return with_near_parameters(
+      {{"elevation", "from which pictures look down, degrees", 0, 60, p.elevation_deg},
+       {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true}});
+}
+
+AnyTechnique make_twelve_views(const ParameterValues& v) {
+  return AnyTechnique(techniques::TwelveViews(
+      {.elevation_deg = v.at("elevation"), .texels = int(v.at("texels")), .far = far_rule(v)}));
+}
+
 std::vector<TechniqueEntry> make_list() {
   return {
       {"plain",
@@ -200,6 +225,8 @@ std::vector<TechniqueEntry> make_list() {
        make_image_reuse},
       {"predicted_reuse", "Far objects are drawn as reliefs of pictures, taken anew by the error that is predicted",
        predicted_reuse_parameters(), make_predicted_reuse},
+      {"twelve_views", "Far objects are drawn as upright plates with one of twelve pictures taken beforehand",
+       twelve_views_parameters(), make_twelve_views},
   };
 }
 
