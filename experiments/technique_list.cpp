@@ -11,6 +11,7 @@
 #include "techniques/mesh_lod/mesh_lod.h"
 #include "techniques/plain/plain.h"
 #include "techniques/predicted_reuse/predicted_reuse.h"
+#include "techniques/twelve_views/twelve_views.h"
 
 namespace lode::experiments {
 namespace {
@@ -189,6 +190,30 @@ AnyTechnique make_mesh_lod(const ParameterValues& v) {
                                            .level = int(v.at("level"))}));
 }
 
+/// Which objects are drawn since they are near: the same words wherever pictures stand for the others.
+std::vector<Parameter> with_near_parameters(std::vector<Parameter> parameters) {
+  const techniques::FarRule far;
+  parameters.push_back({"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, far.radii});
+  parameters.push_back({"near", "objects nearer than this are drawn, world units", 0, 1e9, far.distance});
+  return parameters;
+}
+
+techniques::FarRule far_rule(const ParameterValues& v) {
+  return {.radii = v.at("near_radii"), .distance = v.at("near")};
+}
+
+std::vector<Parameter> twelve_views_parameters() {
+  const techniques::TwelveViews::Params p;
+  return with_near_parameters(
+      {{"elevation", "from which pictures look down, degrees", 0, 60, p.elevation_deg},
+       {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true}});
+}
+
+AnyTechnique make_twelve_views(const ParameterValues& v) {
+  return AnyTechnique(techniques::TwelveViews(
+      {.elevation_deg = v.at("elevation"), .texels = int(v.at("texels")), .far = far_rule(v)}));
+}
+
 std::vector<TechniqueEntry> make_list() {
   return {
       {"plain",
@@ -218,6 +243,8 @@ std::vector<TechniqueEntry> make_list() {
        predicted_reuse_parameters(), make_predicted_reuse},
       {"mesh_lod", "Objects are drawn from simplified meshes, the coarser the smaller their error is on the screen",
        mesh_lod_parameters(), make_mesh_lod},
+      {"twelve_views", "Far objects are drawn as upright plates with one of twelve pictures taken beforehand",
+       twelve_views_parameters(), make_twelve_views},
   };
 }
 
