@@ -34,7 +34,7 @@ constexpr std::string_view kOthers[] = {kLiteral,
                                         "mesh_lod:level=2",
                                         "mesh_lod:level=3"};
 
-constexpr int kQuickFrames = 160, kQuickPasses = 1, kFullPasses = 3;
+constexpr int kQuickFrames = 120, kQuickPasses = 1, kFullPasses = 3;
 constexpr double kOfSize = -1.0;
 
 /// A scene and how much of the question is asked of it.
@@ -70,15 +70,15 @@ std::vector<Part> parts_of(const ExperimentRun& run) {
   return parts;
 }
 
-std::vector<Method> methods_of(const Part& part) {
+/// The quick size has the renderer's skips on for no cache and the thresholds only.
+std::vector<Method> methods_of(const Part& part, bool full) {
   std::vector<std::string> names = {kNoCache};
   for (const char* degrees : kThresholds_deg) names.push_back(reuse_at(degrees));
   if (part.all_methods) names.insert(names.end(), std::begin(kOthers), std::end(kOthers));
   std::vector<Method> methods;
   for (const std::string& name : names) methods.push_back(make_method(name));
-  for (std::size_t i = 0; part.all_methods && i < names.size(); ++i) {
-    methods.push_back(make_method(names[i] + std::string(kWithSkips)));
-  }
+  const std::size_t n_with_skips = !part.all_methods ? 0 : (full ? names.size() : 1 + kThresholds_deg.size());
+  for (std::size_t i = 0; i < n_with_skips; ++i) methods.push_back(make_method(names[i] + std::string(kWithSkips)));
   return methods;
 }
 
@@ -165,7 +165,7 @@ class WalkBench {
  private:
   void prepare() {
     if (world_) return;
-    const std::vector<Method> all = methods_of(part_);
+    const std::vector<Method> all = methods_of(part_, run_.full);
     Progress progress(run_.streams, run_.common, "preparing " + part_.scene, "methods", all.size() + 1);
     progress.show();
     world_ = std::make_unique<techniques::World>(scene_, techniques::SceneDraws::Params{}, true, run_.common.threads);
@@ -189,7 +189,7 @@ void run_part(const Part& part, const ExperimentRun& run, ExperimentResults& res
   const std::string look = look_hash_of(scene);
   WalkBench bench(scene, part, run);
   for (const Walk& walk : walks_of(scene, part, run)) {
-    const std::string key = key_of(walk, look, methods_of(part), run);
+    const std::string key = key_of(walk, look, methods_of(part, run.full), run);
     FinishedCase finished;
     const std::optional<std::string> kept = run.kept.find(key);
     if (kept && read_case(*kept, finished)) {

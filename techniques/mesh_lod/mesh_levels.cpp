@@ -13,8 +13,12 @@
 namespace lode::techniques {
 namespace {
 
+/// Of a mesh with simpler ones: half of a rectangle would be no coarser rectangle.
+constexpr std::size_t kFewestTriangles = 64;
+
 MeshLevel level_of(const World& world, std::uint32_t mesh, double share) {
   const geometry::Mesh& whole = world.scene().meshes[mesh];
+  if (whole.n_primitives() < kFewestTriangles) return {};
   geometry::SimplifiedMesh simple = geometry::simplify(whole, share);
   if (simple.mesh.n_primitives() >= whole.n_primitives()) return {};
   return {.alternate = world.draws().alternate(mesh, std::move(simple.mesh)), .error = simple.error};
