@@ -9,6 +9,7 @@
 #include "techniques/inner_boxes/inner_boxes.h"
 #include "techniques/masked_occlusion/masked_occlusion.h"
 #include "techniques/mesh_lod/mesh_lod.h"
+#include "techniques/octahedral_impostors/octahedral_impostors.h"
 #include "techniques/plain/plain.h"
 #include "techniques/predicted_reuse/predicted_reuse.h"
 #include "techniques/twelve_views/twelve_views.h"
@@ -204,14 +205,29 @@ techniques::FarRule far_rule(const ParameterValues& v) {
 
 std::vector<Parameter> twelve_views_parameters() {
   const techniques::TwelveViews::Params p;
-  return with_near_parameters(
-      {{"elevation", "from which pictures look down, degrees", 0, 60, p.elevation_deg},
-       {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true}});
+  return with_near_parameters({{"elevation", "from which pictures look down, degrees", 0, 60, p.elevation_deg},
+                               {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true}});
 }
 
 AnyTechnique make_twelve_views(const ParameterValues& v) {
-  return AnyTechnique(techniques::TwelveViews(
-      {.elevation_deg = v.at("elevation"), .texels = int(v.at("texels")), .far = far_rule(v)}));
+  return AnyTechnique(
+      techniques::TwelveViews({.elevation_deg = v.at("elevation"), .texels = int(v.at("texels")), .far = far_rule(v)}));
+}
+
+std::vector<Parameter> octahedral_impostors_parameters() {
+  const techniques::OctahedralImpostors::Params p;
+  return with_near_parameters({{"grid", "directions along a side of the grid", 2, 32, double(p.grid), true},
+                               {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true},
+                               choice_parameter("blend", "which pictures are mixed", {"three", "nearest"}, 0),
+                               choice_parameter("parallax", "read at the height that was captured", {"off", "on"}, 1)});
+}
+
+AnyTechnique make_octahedral_impostors(const ParameterValues& v) {
+  return AnyTechnique(techniques::OctahedralImpostors({.grid = int(v.at("grid")),
+                                                       .texels = int(v.at("texels")),
+                                                       .blend = techniques::ViewBlend(int(v.at("blend"))),
+                                                       .parallax = v.at("parallax") == 1.0,
+                                                       .far = far_rule(v)}));
 }
 
 std::vector<TechniqueEntry> make_list() {
@@ -245,6 +261,8 @@ std::vector<TechniqueEntry> make_list() {
        mesh_lod_parameters(), make_mesh_lod},
       {"twelve_views", "Far objects are drawn as upright plates with one of twelve pictures taken beforehand",
        twelve_views_parameters(), make_twelve_views},
+      {"octahedral_impostors", "Far objects are drawn as plates mixed from pictures of a hemisphere, taken beforehand",
+       octahedral_impostors_parameters(), make_octahedral_impostors},
   };
 }
 

@@ -99,9 +99,20 @@ void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4
   ++work_.plates;
 }
 
+void Stage::plate(ObjectId id, const std::array<glm::dvec3, 4>& corners_world, raster::Shader shader) {
+  const glm::dvec3 centre = centre_of(corners_world);
+  PictureRelief mesh;
+  for (const glm::dvec3& corner : corners_world) mesh.positions.push_back(glm::vec3(corner - centre));
+  mesh.uvs.assign(std::begin(kPlateUvs), std::end(kPlateUvs));
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  reliefs_.push_back({id, nullptr, centre, std::make_shared<const PictureRelief>(std::move(mesh)), PlateEdge::cutout,
+                      std::move(shader)});
+  ++work_.plates;
+}
+
 void Stage::relief(ObjectId id, PictureId picture, const glm::dvec3& centre_world,
                    std::shared_ptr<const PictureRelief> relief, PlateEdge edge) {
-  reliefs_.push_back({id, &this->picture(picture), centre_world, std::move(relief), edge});
+  reliefs_.push_back({id, &this->picture(picture), centre_world, std::move(relief), edge, {}});
   ++work_.plates;
 }
 
@@ -190,9 +201,9 @@ raster::Draw Stage::stood_in_draw(const StoodIn& stood_in, const glm::dmat4& cli
 }
 
 /// All but where it is.
-raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture& picture, PlateEdge edge) const {
+raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge) const {
   raster::Draw draw;
-  draw.texture = &picture.texture;
+  draw.texture = picture != nullptr ? &picture->texture : nullptr;
   draw.sampler = {.filter = raster::Filter::trilinear, .wrap_u = raster::Wrap::border, .wrap_v = raster::Wrap::border};
   if (edge == PlateEdge::cutout) {
     draw.alpha_test = 0.5;
@@ -206,7 +217,7 @@ raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture& picture, Pl
 
 raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world) const {
   const ShownPlate& plate = plates_[i];
-  raster::Draw draw = picture_draw(plate.object, *plate.picture, plate.edge);
+  raster::Draw draw = picture_draw(plate.object, plate.picture, plate.edge);
   draw.topology = raster::Topology::quads;
   draw.vertices = raster::ObjectVertices{plate_corners_[i],
                                          clip_from_world * world_from(centre_of(plate.corners_world))};
@@ -215,7 +226,8 @@ raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world)
 }
 
 raster::Draw Stage::relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const {
-  raster::Draw draw = picture_draw(relief.object, *relief.picture, relief.edge);
+  raster::Draw draw = picture_draw(relief.object, relief.picture, relief.edge);
+  if (relief.picture == nullptr) draw.shader = relief.shader;
   draw.topology = raster::Topology::triangles;
   draw.vertices = raster::ObjectVertices{relief.mesh->positions, clip_from_world * world_from(relief.centre_world)};
   draw.indices = relief.mesh->indices;

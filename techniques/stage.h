@@ -102,6 +102,10 @@ class Stage {
   /// Throws raster::Error (bad_input) if there is no such picture.
   void plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge);
 
+  /// A plate in an object's place whose colours come from a shader, premultiplied, by the uv that a picture there would
+  /// have: (0, 0) its upper left, (1, 1) its lower right. Cut out where alpha is less than one half.
+  void plate(ObjectId id, const std::array<glm::dvec3, 4>& corners_world, raster::Shader shader);
+
   /// A picture in an object's place that is no plate. Throws raster::Error (bad_input) if there is no such picture.
   void relief(ObjectId id, PictureId picture, const glm::dvec3& centre_world,
               std::shared_ptr<const PictureRelief> relief, PlateEdge edge);
@@ -159,9 +163,10 @@ class Stage {
     glm::dvec3 centre_world;
     std::shared_ptr<const PictureRelief> mesh;
     PlateEdge edge;
+    raster::Shader shader;  ///< of a plate without a picture, whose pointer is null
   };
   void add_time(std::string_view part, std::chrono::steady_clock::duration time);
-  [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture& picture, PlateEdge edge) const;
+  [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge) const;
   [[nodiscard]] raster::Draw stood_in_draw(const StoodIn& stood_in, const glm::dmat4& clip_from_world) const;
   [[nodiscard]] raster::Draw plate_draw(std::size_t plate, const glm::dmat4& clip_from_world) const;
   [[nodiscard]] raster::Draw relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const;

@@ -45,16 +45,19 @@ void TwelveViews::prepare(Stage& stage) {
 }
 
 std::optional<TwelveViews::Views> TwelveViews::take(ObjectId id, Stage& stage) {
-  Views views;
+  std::array<std::optional<ParallelPicture>, kTwelve> wanted;
   for (int k = 0; k < kTwelve; ++k) {
-    const std::optional<ParallelPicture> picture = parallel_picture(
-        stage.world().objects()[id].bounds, twelve_views_direction(k, params_.elevation_deg), params_.texels);
-    if (!picture) return std::nullopt;
-    Plate& plate = views.plates[std::size_t(k)];
-    plate = {.picture = stage.capture({&id, 1}, picture->camera, picture->size_px),
-             .corners = upright_corners(*picture)};
-    views.reach = std::max(views.reach, glm::length(plate.corners[0]));
-    picture_bytes_ += captured_bytes(picture->size_px);
+    const glm::dvec3 direction = twelve_views_direction(k, params_.elevation_deg);
+    wanted[std::size_t(k)] = parallel_picture(stage.world().objects()[id].bounds, direction, params_.texels);
+    if (!wanted[std::size_t(k)]) return std::nullopt;
+  }
+  Views views;
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const ParallelPicture& picture = *wanted[k];
+    views.plates[k] = {.picture = stage.capture({&id, 1}, picture.camera, picture.size_px),
+                       .corners = upright_corners(picture)};
+    views.reach = std::max(views.reach, glm::length(views.plates[k].corners[0]));
+    picture_bytes_ += captured_bytes(picture.size_px);
   }
   return views;
 }

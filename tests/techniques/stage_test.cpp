@@ -237,6 +237,40 @@ TEST(Stage, RefusesMeshesThatCannotStandIn) {
   refuses(1, [](geometry::Mesh& mesh) { mesh.uvs.clear(); });
 }
 
+/// The shader makes the plate's lower half transparent, and red what is left in it, by uv.
+TEST(Stage, ShadedPlateHasWhatItsShaderMakesOfUvAndTheObjectsId) {
+  const Scene scene = boxes_and_ball();
+  const World world(scene, {}, false);
+  View view{.camera = {}, .size_px = {8, 8}};
+  view.camera.projection = geometry::Projection::orthographic;
+  view.camera.height = 8.0, view.camera.near = 0.0, view.camera.far = 10.0;
+  Stage stage(world);
+  stage.begin(view);
+  const auto shade = [](const raster::Pixel& p) {
+    return p.uv.y < 0.5f ? glm::vec4(p.uv.x < 0.5f ? 1.0f : 0.0f, 0.0f, 0.0f, 1.0f) : glm::vec4(0.25f);
+  };
+  const auto corner = [](double x, double y) { return glm::dvec3(x, y, -5.0); };
+  stage.plate(3, {corner(-2, 2), corner(-2, -2), corner(2, -2), corner(2, 2)}, raster::pixel_shader(shade));
+  const raster::Image image = picture_of(stage, view);
+  EXPECT_EQ(stage.work().plates, 1u);
+  std::string picture;
+  for (std::size_t i = 0; i < 64; ++i) {
+    const raster::Ids& ids = image.ids[i];
+    EXPECT_TRUE(ids.draw == raster::kNoId || ids == (raster::Ids{3, kStandInPrimitive}));
+    picture += ids.draw == raster::kNoId ? '.' : (image.rgba32f[i].r > 0.5f ? 'r' : 'b');
+    if (i % 8 == 7) picture += '\n';
+  }
+  EXPECT_EQ(picture,
+            "........\n"
+            "........\n"
+            "..rrbb..\n"
+            "..rrbb..\n"
+            "........\n"
+            "........\n"
+            "........\n"
+            "........\n");
+}
+
 TEST(Stage, KeepsAReleasedPictureUntilTheNextFrame) {
   const Scene scene = boxes_and_ball();
   const World world(scene, {}, false);
