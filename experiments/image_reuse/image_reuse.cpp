@@ -28,7 +28,8 @@ constexpr std::string_view kOthers[] = {kLiteral,
                                         "predicted_reuse:cell=0,error=3",
                                         "predicted_reuse",
                                         "predicted_reuse:error=3",
-                                        "twelve_views",
+                                        "twelve_views:elevation=0",
+                                        "octahedral_impostors",
                                         "mesh_lod",
                                         "mesh_lod:level=1",
                                         "mesh_lod:level=2",
@@ -104,7 +105,7 @@ std::vector<Walk> walks_of(const geometry::Scene& scene, const Part& part, const
 /// What a finished walk depends on, beside the program itself.
 std::string key_of(const Walk& walk, const std::string& look, const std::vector<Method>& methods,
                    const ExperimentRun& run) {
-  std::string key = "image_reuse walk 4; " + walk.scene + "; look " + look + "; " + walk.path + "; passes " +
+  std::string key = "image_reuse walk 5; " + walk.scene + "; look " + look + "; " + walk.path + "; passes " +
                     std::to_string(walk.n_passes) + "; threads " + std::to_string(run.common.threads) + "; frames " +
                     std::to_string(walk.frames.front()) + " to " + std::to_string(walk.frames.back()) + ";";
   for (const Method& method : methods) key += " " + settings_of(method) + ";";
