@@ -17,6 +17,9 @@ inline constexpr std::int32_t kMaxLambda_fx8 = 128 * 1024;
 ///   rho_squared   any double; 0, denormal, negative and NaN give kMinLambda_fx8, Inf gives kMaxLambda_fx8
 [[nodiscard]] std::int32_t lambda_fx8(double rho_squared);
 
+/// No ρ² up to here has a λ above 0.
+inline constexpr double kFirstLevelAlone = 1.0 + 0x1p-9;
+
 /// x² + y² of a derivative in texels: (duv.x · width)² + (duv.y · height)². NaN is made 0.
 [[nodiscard]] double squared_length_px(const glm::dvec2& duv, const glm::ivec2& size_px);
 

@@ -71,6 +71,11 @@ struct TileBuffers {
   alignas(64) std::uint8_t written[kBlocks];  ///< kStale: since block_min was found; kTouched: at all
 };
 
+/// Whether anything was drawn in the block of a pixel of the tile.
+[[nodiscard]] inline bool touched(const TileBuffers& tile, int x_px, int y_px) {
+  return (tile.written[y_px / kBlock_px * kBlocksPerRow + x_px / kBlock_px] & kTouched) != 0;
+}
+
 /// What the kernels of one tile did and did not do.
 struct RasterCounts {
   std::uint64_t triangles_in = 0, facing = 0, empty = 0, no_sample = 0, tiny = 0, medium = 0, large = 0;

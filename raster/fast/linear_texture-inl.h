@@ -178,6 +178,7 @@ std::uint64_t ApplyLinearTexture(const Surface& s, std::uint32_t lanes, SurfaceS
   if (s.sampler.filter == Filter::trilinear) {
     for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
       const std::size_t k = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+      if (!(samples.rho_squared[k] > kFirstLevelAlone)) continue;
       const LevelPair pair = mip_levels(lambda_fx8(samples.rho_squared[k]), n_levels);
       levels[k] = pair.level, fractions[k] = pair.second_weight_fx8;
       blended |= pair.second_weight_fx8 > 0 ? 1u << k : 0u;

@@ -42,7 +42,9 @@ class Resolver {
       resolve_by_records();
     } else {
       for (int y = 0; y < size_.y; y += 4) {
-        for (int x = 0; x < size_.x; x += 4) resolve_block(x, y);
+        for (int x = 0; x < size_.x; x += 4) {
+          if (fill_ || touched(*w_.tile, x, y)) resolve_block(x, y);
+        }
       }
     }
     surfaces_.finish();

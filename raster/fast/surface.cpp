@@ -76,7 +76,7 @@ SurfaceTriangle make_surface_triangle(const Draw& draw, const reference::Piece& 
     for (int c = 0; c < 4 && !draw.colors.empty(); ++c) t.colors[std::size_t(c)][i] = draw.colors[vertex][c];
     for (int c = 0; c < 3 && !draw.normals.empty(); ++c) t.normals[std::size_t(c)][i] = draw.normals[vertex][c];
   }
-  t.flat = !t.clipped && all_equal(t.colors) && all_equal(t.normals);
+  t.flat = all_equal(t.colors) && all_equal(t.normals);
   if (draw.texture) set_uvs(draw, piece, t);
   return t;
 }

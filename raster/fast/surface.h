@@ -39,6 +39,12 @@ struct SurfaceTriangle : TriangleEdges {
   std::array<std::array<double, 3>, 2> weight_slopes{};  ///< [x, y][corner]: of edge / w, per pixel
 };
 
+/// Whether all samples of the triangle have one colour, wherever they are.
+[[nodiscard]] inline bool has_one_color(const Surface& s, const SurfaceTriangle& t) {
+  const bool varies = s.has_vertex_colors || (s.lambert && s.has_normals);
+  return !s.texture && (t.flat || !varies);
+}
+
 /// What the kernels make of sixteen samples.
 struct SurfaceSamples {
   alignas(64) float rgba[4][16];  ///< lit, if nothing is to come before: a texture, a cut-out

@@ -1,5 +1,6 @@
 #include "raster/fast/surface_resolve.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -81,14 +82,45 @@ bool SurfaceResolver::shade_alone(const Surface& surface, std::uint32_t owner, i
     Piece made;
     const Piece& p = owners_.piece_of(owner, made);
     if (!std::holds_alternative<reference::Triangle>(p.shape)) return false;
-    kept = {owner, make_surface_triangle(scene_.frame->draws[p.draw], p, origin_px_)};
+    keep(kept, owner, make_surface_triangle(scene_.frame->draws[p.draw], p, origin_px_), surface);
+  }
+  const auto base = std::size_t(place_in_tile(x_px, y_px));
+  if (kept.one_color) {
+    fill(kept, base, lanes);
+    return true;
   }
   SurfaceSamples samples;
   shade_samples(*scene_.kernels, surface, kept.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes, w_.stats,
                 samples);
-  const auto base = std::size_t(place_in_tile(x_px, y_px));
   store(samples, [&](auto visit) { for_each_lane(lanes, [&](std::size_t k) { visit(k, base + k); }); });
   return true;
+}
+
+void SurfaceResolver::keep(KeptSurface& kept, std::uint32_t owner, const SurfaceTriangle& triangle,
+                           const Surface& surface) {
+  kept = {owner, triangle, has_one_color(surface, triangle)};
+  if (!kept.one_color) return;
+  SurfaceSamples samples;
+  shade_samples(*scene_.kernels, surface, triangle, {0, 0}, 1, w_.stats, samples);
+  if (format_ == ColorFormat::rgba8) {
+    std::array<std::uint32_t, 16> bytes;
+    scene_.kernels->store_bytes(samples.rgba[0], bytes.data());
+    kept.rgba8 = bytes[0];
+  } else {
+    alignas(64) std::array<glm::vec4, 16> colors;
+    scene_.kernels->store_floats(samples, &colors[0].x);
+    kept.rgba32f = colors[0];
+  }
+}
+
+void SurfaceResolver::fill(const KeptSurface& kept, std::size_t base, std::uint32_t lanes) {
+  if (format_ == ColorFormat::rgba8) {
+    for_each_lane(lanes, [&](std::size_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &kept.rgba8, 4); });
+  } else if (lanes == 0xFFFF) {
+    std::fill_n(w_.rgba32f.begin() + std::ptrdiff_t(base), 16, kept.rgba32f);
+  } else {
+    for_each_lane(lanes, [&](std::size_t k) { w_.rgba32f[base + k] = kept.rgba32f; });
+  }
 }
 
 template <class ForEach>

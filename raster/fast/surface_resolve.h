@@ -41,6 +41,10 @@ class SurfaceResolver {
 
   [[nodiscard]] bool shade_alone(const Surface& surface, std::uint32_t owner, int x_px, int y_px, std::uint32_t lanes);
   void flush(Batch& batch);
+  void keep(KeptSurface& kept, std::uint32_t owner, const SurfaceTriangle& triangle, const Surface& surface);
+  /// Samples of a 4×4, a bit each, of a surface of one colour.
+  ///   base   the first one's place in the tile
+  void fill(const KeptSurface& kept, std::size_t base, std::uint32_t lanes);
   /// for_each(visit) calls visit(sample, place in the tile).
   template <class ForEach>
   void store(const SurfaceSamples& samples, ForEach for_each);

@@ -444,16 +444,27 @@ class TileDrawer {
     WriteJob job = write_job();
     job.written = every_block_ ? nullptr : w_.tile->written;
     write_planes(job, w_.rgba8.data(), w_.tile->depth);
-    if (!image_.rgba32f.empty()) write_plane(w_.rgba32f.data(), image_.rgba32f.data());
-    if (!image_.ids.empty()) write_plane(w_.ids.data(), image_.ids.data());
+    if (!image_.rgba32f.empty()) {
+      write_plane(w_.rgba32f.data(), store_rgba32f(scene_.frame->clear), image_.rgba32f.data());
+    }
+    if (!image_.ids.empty()) write_plane(w_.ids.data(), Ids{kNoId, kNoId}, image_.ids.data());
   }
 
-  /// Four neighbours of a row lie together in a tile.
+  /// Four neighbours of a row lie together in a tile. Blocks that nothing has touched are the clear's, unless all are made.
   template <class T>
-  void write_plane(const T* from, T* to) const {
+  void write_plane(const T* from, const T& clear, T* to) const {
+    T clears[4];
+    std::fill_n(clears, 4, clear);
     for (int y = 0; y < size_.y; ++y) {
       T* row = to + first_px() + std::size_t(y) * std::size_t(image_.size_px.x);
-      for (int x = 0; x < size_.x; x += 4) std::copy_n(from + place_in_tile(x, y), std::min(4, size_.x - x), row + x);
+      for (int x = 0; x < size_.x; x += 4) {
+        const T* four = every_block_ || touched(*w_.tile, x, y) ? from + place_in_tile(x, y) : clears;
+        if (size_.x - x >= 4) {
+          std::memcpy(static_cast<void*>(row + x), four, 4 * sizeof(T));  // of a known size: a few instructions
+        } else {
+          std::copy_n(four, size_.x - x, row + x);
+        }
+      }
     }
   }
 

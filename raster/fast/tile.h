@@ -57,6 +57,9 @@ struct Textured {
 struct KeptSurface {
   std::uint32_t owner = kNoOwner;
   SurfaceTriangle triangle;
+  bool one_color = false;  ///< all of its samples have the one below that the target keeps
+  glm::vec4 rgba32f{0.0f};
+  std::uint32_t rgba8 = 0;
 };
 
 /// Memory of a worker, allocated before the first tile, so that no tile can fail. Most of it is never touched.

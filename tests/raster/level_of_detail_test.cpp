@@ -50,6 +50,7 @@ TEST(LevelOfDetail, NoLengthIsTheLeastAndInfiniteLengthTheMost) {
   EXPECT_EQ(lambda_fx8(kInf), kMaxLambda_fx8);
   EXPECT_LT(kMinLambda_fx8, lambda_fx8(std::numeric_limits<double>::min()));
   EXPECT_GE(kMaxLambda_fx8, lambda_fx8(std::numeric_limits<double>::max()));
+  EXPECT_EQ(lambda_fx8(kFirstLevelAlone), 0);
 }
 
 TEST(LevelOfDetail, LevelsAreClampedToThoseThatExist) {
