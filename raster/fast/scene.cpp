@@ -222,8 +222,7 @@ bool drawn_by_clusters(const Draw& draw) {
 
 bool drawn_by_kernels(const Scene& scene, const Piece& piece) {
   const auto* triangle = std::get_if<reference::Triangle>(&piece.shape);
-  return triangle && !(triangle->polygon && triangle->polygon->has_turned_piece) &&
-         (!scene.frame->draws[piece.draw].alpha_test || scene.surfaces[piece.draw]);
+  return triangle && !(triangle->polygon && triangle->polygon->has_turned_piece);
 }
 
 void make_scene(const Frame& frame, const Image& image, const RenderOptions& options, int threads, Scene& scene) {

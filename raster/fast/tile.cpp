@@ -276,16 +276,45 @@ class TileDrawer {
   /// Which samples of a 4×4 of the tested triangle pass its draw's alpha test.
   std::uint32_t passing(int x_px, int y_px, std::uint32_t lanes) {
     const Piece& p = owners_.piece(tested_.piece);
-    const Surface& surface = *scene_.surfaces[p.draw];
+    const std::optional<Surface>& surface = scene_.surfaces[p.draw];
+    if (!surface) return passing_by_reference(p, x_px, y_px, lanes);
     if (!tested_.triangle) tested_.triangle = make_surface_triangle(scene_.frame->draws[p.draw], p, box_.begin_px);
-    shade_samples(*scene_.kernels, surface, *tested_.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes,
+    shade_samples(*scene_.kernels, *surface, *tested_.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes,
                   w_.stats, tested_.samples);
     w_.stats.fragments_shaded += std::uint64_t(std::popcount(lanes));
     std::uint32_t passing = 0;
     for (std::size_t k = 0; k < 16; ++k) {
-      passing |= std::uint32_t(tested_.samples.rgba[3][k] >= surface.least_passing) << k;
+      passing |= std::uint32_t(tested_.samples.rgba[3][k] >= surface->least_passing) << k;
     }
     return passing & lanes;
+  }
+
+  /// The same of a draw with a shader of its own.
+  std::uint32_t passing_by_reference(const Piece& p, int x_px, int y_px, std::uint32_t lanes) {
+    std::array<glm::ivec2, 16> pixels;
+    std::array<float, 16> depths;
+    std::array<glm::vec4, 16> rgba;
+    std::size_t n = 0;
+    for_each_lane(lanes, [&](std::size_t k) {
+      pixels[n] = box_.begin_px + glm::ivec2(x_px + int(k & 3), y_px + int(k >> 2));
+      depths[n] = reference::depth_of(p, reference::sample_position_fx8(pixels[n], sample_fx8_));
+      ++n;
+    });
+    reference::shade(scene_.frame->draws[p.draw], p, format_, {{pixels.data(), n}, {depths.data(), n}, sample_fx8_},
+                     rgba.data(), w_.stats);
+    std::uint32_t passing = 0;
+    n = 0;
+    for_each_lane(lanes, [&](std::size_t k) {
+      passing |= std::uint32_t(passes_alpha_test(p, rgba[n])) << k;
+      for (int c = 0; c < 4; ++c) tested_.samples.rgba[c][k] = rgba[n][c];
+      ++n;
+    });
+    return passing;
+  }
+
+  [[nodiscard]] bool passes_alpha_test(const Piece& p, const glm::vec4& rgba) const {
+    const double full = format_ == ColorFormat::rgba8 ? 255.0 : 1.0;
+    return double(rgba.a) / full >= *scene_.frame->draws[p.draw].alpha_test;  // NaN fails
   }
 
   /// Of what was shaded for the test, so that it is not shaded again.
@@ -307,8 +336,7 @@ class TileDrawer {
       glm::vec4 rgba;
       if (draw.alpha_test) {
         reference::shade(draw, p, format_, {{&px, 1}, {&depth, 1}, sample_fx8_}, &rgba, w_.stats);
-        const double full = format_ == ColorFormat::rgba8 ? 255.0 : 1.0;
-        if (!(double(rgba.a) / full >= *draw.alpha_test)) {
+        if (!passes_alpha_test(p, rgba)) {
           ++w_.stats.fragments_alpha_failed;
           return;
         }
