@@ -163,6 +163,8 @@ std::vector<Parameter> predicted_reuse_parameters() {
   return {{"error", "predicted of a picture from which on it is taken anew, px; 0: in every frame", 0, 1e6, p.error_px},
           {"captures", "in a frame at most, the worst first; 0: no limit", 0, 1e6, double(p.most_captures), true},
           {"cell", "side of a relief's cells, px of the picture; 0: plates", 0, 1024, double(p.cell_px), true},
+          {"fade", "frames in which a new picture comes as the old one goes, dithered; 0: at once", 0, 1e4,
+           double(p.fade_frames), true},
           {"near_radii", "objects nearer than this many radii are drawn", 0, 1e6, p.far.radii},
           {"near", "objects nearer than this are drawn, world units", 0, 1e9, p.far.distance},
           {"memory", "MiB of pictures at most; 0: no limit", 0, 1e6, 0}};
@@ -172,6 +174,7 @@ AnyTechnique make_predicted_reuse(const ParameterValues& v) {
   return AnyTechnique(techniques::PredictedReuse({.error_px = v.at("error"),
                                                   .most_captures = int(v.at("captures")),
                                                   .cell_px = int(v.at("cell")),
+                                                  .fade_frames = int(v.at("fade")),
                                                   .far = {.radii = v.at("near_radii"), .distance = v.at("near")},
                                                   .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
 }

@@ -36,6 +36,10 @@ glm::vec4 cut(const CutOut& c, const glm::vec4& material) {
 void shade_material(const void* state, const ShadeBatch& batch, glm::vec4* rgba) noexcept {
   const MaterialShading& shading = *static_cast<const MaterialShading*>(state);
   for (int i = 0; i < batch.n; ++i) {
+    if (shading.cut_out && !shading.cut_out->keeps(batch.x_px[i], batch.y_px[i])) {
+      rgba[i] = glm::vec4(0.0f);
+      continue;
+    }
     const glm::vec4 c = shading.cut_out ? cut(*shading.cut_out, batch.material[i]) : batch.material[i];
     const float light = shading.light ? light_on(*shading.light, batch.normal[i], batch.front_facing) : 1.0f;
     rgba[i] = {c.r * light, c.g * light, c.b * light, c.a};

@@ -96,6 +96,12 @@ struct Lambert {
 struct CutOut {
   double cutoff = 0.5;  ///< any; NaN keeps nothing
   float full = 1.0f;    ///< 1 in the target's unit: 255 for rgba8
+  /// Of each 4×4 of the picture, those pixels that are kept at all, as an ordered dither has them: bit x mod 4 +
+  /// 4 · (y mod 4). In the others, too, samples become 0.
+  std::uint16_t pixels = 0xFFFF;
+  [[nodiscard]] bool keeps(std::int32_t x_px, std::int32_t y_px) const {
+    return (pixels >> ((x_px & 3) + 4 * (y_px & 3)) & 1) != 0;
+  }
 };
 
 /// The material, cut out first and then lit, as far as each is there.

@@ -1,9 +1,11 @@
 #include "techniques/picture_store.h"
 
+#include <utility>
+
 namespace lode::techniques {
 
-void PictureStore::reset(std::size_t n_objects) {
-  kept_.assign(n_objects, std::nullopt);
+void PictureStore::reset(std::size_t n_places) {
+  kept_.assign(n_places, std::nullopt);
   frame_ = bytes_ = evicted_ = 0;
 }
 
@@ -12,19 +14,19 @@ void PictureStore::begin_frame() {
   evicted_ = 0;
 }
 
-std::optional<PictureId> PictureStore::find(ObjectId id) const {
-  if (!kept_[id]) return std::nullopt;
-  return kept_[id]->picture;
+std::optional<PictureId> PictureStore::find(std::size_t place) const {
+  if (!kept_[place]) return std::nullopt;
+  return kept_[place]->picture;
 }
 
 bool PictureStore::make_room(std::uint64_t bytes, Stage& stage) {
   if (most_bytes_ == 0) return true;
   if (bytes > most_bytes_) return false;
   while (bytes_ + bytes > most_bytes_) {
-    ObjectId oldest = ObjectId(kept_.size());
-    for (ObjectId id = 0; id < kept_.size(); ++id) {
-      if (!kept_[id] || kept_[id]->shown == frame_) continue;
-      if (oldest == kept_.size() || kept_[id]->shown < kept_[oldest]->shown) oldest = id;
+    std::size_t oldest = kept_.size();
+    for (std::size_t place = 0; place < kept_.size(); ++place) {
+      if (!kept_[place] || kept_[place]->shown == frame_) continue;
+      if (oldest == kept_.size() || kept_[place]->shown < kept_[oldest]->shown) oldest = place;
     }
     if (oldest == kept_.size()) return false;
     drop(oldest, stage);
@@ -33,20 +35,22 @@ bool PictureStore::make_room(std::uint64_t bytes, Stage& stage) {
   return true;
 }
 
-void PictureStore::keep(ObjectId id, PictureId picture, std::uint64_t bytes) {
-  kept_[id] = {.picture = picture, .bytes = bytes, .shown = frame_};
+void PictureStore::keep(std::size_t place, PictureId picture, std::uint64_t bytes) {
+  kept_[place] = {.picture = picture, .bytes = bytes, .shown = frame_};
   bytes_ += bytes;
 }
 
-void PictureStore::drop(ObjectId id, Stage& stage) {
-  if (!kept_[id]) return;
-  stage.release(kept_[id]->picture);
-  bytes_ -= kept_[id]->bytes;
-  kept_[id].reset();
+void PictureStore::move(std::size_t from, std::size_t to) { kept_[to] = std::exchange(kept_[from], std::nullopt); }
+
+void PictureStore::drop(std::size_t place, Stage& stage) {
+  if (!kept_[place]) return;
+  stage.release(kept_[place]->picture);
+  bytes_ -= kept_[place]->bytes;
+  kept_[place].reset();
 }
 
 void PictureStore::drop_all(Stage& stage) {
-  for (ObjectId id = 0; id < kept_.size(); ++id) drop(id, stage);
+  for (std::size_t place = 0; place < kept_.size(); ++place) drop(place, stage);
 }
 
 }  // namespace lode::techniques

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "raster/error.h"
-#include "techniques/scene_shader.h"
 
 namespace lode::techniques {
 namespace {
@@ -21,6 +20,10 @@ glm::dmat4 world_from(const glm::dvec3& centre) {
   glm::dmat4 matrix(1.0);
   matrix[3] = glm::dvec4(centre, 1.0);
   return matrix;
+}
+
+raster::Shader cut_out_shader(std::uint16_t pixels) {
+  return raster::material_shader({.cut_out = raster::CutOut{.cutoff = 0.5, .pixels = pixels}, .light = {}});
 }
 
 }  // namespace
@@ -42,7 +45,7 @@ const char* name_of(Promise promise) {
 Stage::Stage(const World& world, const raster::RenderOptions& options)
     : world_(world),
       options_(options),
-      cutout_(scene_shader({.world_from_normal = glm::mat3(1.0f), .alpha_cutoff = 0.5})),
+      cutout_(cut_out_shader(kEveryPixel)),
       drawn_(world.objects().size(), 0) {
   options_.memory = &memory_;
   options_.per_draw = {};
@@ -91,9 +94,10 @@ void Stage::stand_in(ObjectId id, std::span<const AlternateMesh* const> meshes) 
   work_.stand_in_primitives += n_primitives;
 }
 
-void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge) {
+void Stage::plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge,
+                  std::uint16_t pixels) {
   const glm::dvec3 centre = centre_of(corners_world);
-  plates_.push_back({.object = id, .picture = &this->picture(picture), .corners_world = corners_world, .edge = edge});
+  plates_.push_back({id, &this->picture(picture), corners_world, edge, pixels});
   std::array<glm::vec3, 4>& corners = plate_corners_.emplace_back();
   for (std::size_t k = 0; k < 4; ++k) corners[k] = glm::vec3(corners_world[k] - centre);
   ++work_.plates;
@@ -106,13 +110,13 @@ void Stage::plate(ObjectId id, const std::array<glm::dvec3, 4>& corners_world, r
   mesh.uvs.assign(std::begin(kPlateUvs), std::end(kPlateUvs));
   mesh.indices = {0, 1, 2, 0, 2, 3};
   reliefs_.push_back({id, nullptr, centre, std::make_shared<const PictureRelief>(std::move(mesh)), PlateEdge::cutout,
-                      std::move(shader)});
+                      kEveryPixel, std::move(shader)});
   ++work_.plates;
 }
 
 void Stage::relief(ObjectId id, PictureId picture, const glm::dvec3& centre_world,
-                   std::shared_ptr<const PictureRelief> relief, PlateEdge edge) {
-  reliefs_.push_back({id, &this->picture(picture), centre_world, std::move(relief), edge, {}});
+                   std::shared_ptr<const PictureRelief> relief, PlateEdge edge, std::uint16_t pixels) {
+  reliefs_.push_back({id, &this->picture(picture), centre_world, std::move(relief), edge, pixels, {}});
   ++work_.plates;
 }
 
@@ -201,13 +205,14 @@ raster::Draw Stage::stood_in_draw(const StoodIn& stood_in, const glm::dmat4& cli
 }
 
 /// All but where it is.
-raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge) const {
+raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge,
+                                 std::uint16_t pixels) const {
   raster::Draw draw;
   draw.texture = picture != nullptr ? &picture->texture : nullptr;
   draw.sampler = {.filter = raster::Filter::trilinear, .wrap_u = raster::Wrap::border, .wrap_v = raster::Wrap::border};
   if (edge == PlateEdge::cutout) {
     draw.alpha_test = 0.5;
-    draw.shader = cutout_;
+    draw.shader = pixels == kEveryPixel ? cutout_ : cut_out_shader(pixels);
   }
   if (edge == PlateEdge::blended) draw.blend = raster::Blend::over;
   draw.draw_id = world_.objects()[id].first_instance;
@@ -217,7 +222,7 @@ raster::Draw Stage::picture_draw(ObjectId id, const CapturedPicture* picture, Pl
 
 raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world) const {
   const ShownPlate& plate = plates_[i];
-  raster::Draw draw = picture_draw(plate.object, plate.picture, plate.edge);
+  raster::Draw draw = picture_draw(plate.object, plate.picture, plate.edge, plate.pixels);
   draw.topology = raster::Topology::quads;
   draw.vertices = raster::ObjectVertices{plate_corners_[i],
                                          clip_from_world * world_from(centre_of(plate.corners_world))};
@@ -226,7 +231,7 @@ raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world)
 }
 
 raster::Draw Stage::relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const {
-  raster::Draw draw = picture_draw(relief.object, relief.picture, relief.edge);
+  raster::Draw draw = picture_draw(relief.object, relief.picture, relief.edge, relief.pixels);
   if (relief.picture == nullptr) draw.shader = relief.shader;
   draw.topology = raster::Topology::triangles;
   draw.vertices = raster::ObjectVertices{relief.mesh->positions, clip_from_world * world_from(relief.centre_world)};

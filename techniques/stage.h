@@ -19,6 +19,7 @@
 #include "raster/frame.h"
 #include "raster/image.h"
 #include "raster/render.h"
+#include "techniques/dither.h"
 #include "techniques/technique.h"
 #include "techniques/world.h"
 
@@ -59,6 +60,7 @@ struct ShownPlate {
   const CapturedPicture* picture;
   std::array<glm::dvec3, 4> corners_world;
   PlateEdge edge;
+  std::uint16_t pixels = kEveryPixel;
 };
 
 /// What was done on the stage in one frame.
@@ -99,8 +101,10 @@ class Stage {
 
   /// A picture in an object's place.
   ///   corners_world   upper left, lower left, lower right, upper right of the picture, in one plane
+  ///   pixels          of each 4×4 that a cut-out may take (dither.h)
   /// Throws raster::Error (bad_input) if there is no such picture.
-  void plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge);
+  void plate(ObjectId id, PictureId picture, const std::array<glm::dvec3, 4>& corners_world, PlateEdge edge,
+             std::uint16_t pixels = kEveryPixel);
 
   /// A plate in an object's place whose colours come from a shader, premultiplied, by the uv that a picture there would
   /// have: (0, 0) its upper left, (1, 1) its lower right. Cut out where alpha is less than one half.
@@ -108,7 +112,7 @@ class Stage {
 
   /// A picture in an object's place that is no plate. Throws raster::Error (bad_input) if there is no such picture.
   void relief(ObjectId id, PictureId picture, const glm::dvec3& centre_world,
-              std::shared_ptr<const PictureRelief> relief, PlateEdge edge);
+              std::shared_ptr<const PictureRelief> relief, PlateEdge edge, std::uint16_t pixels = kEveryPixel);
 
   /// Draws the objects alone, at once, on nothing, and keeps the picture until it is released.
   ///   size_px   1…16384 a side
@@ -163,10 +167,12 @@ class Stage {
     glm::dvec3 centre_world;
     std::shared_ptr<const PictureRelief> mesh;
     PlateEdge edge;
+    std::uint16_t pixels;
     raster::Shader shader;  ///< of a plate without a picture, whose pointer is null
   };
   void add_time(std::string_view part, std::chrono::steady_clock::duration time);
-  [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge) const;
+  [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge,
+                                          std::uint16_t pixels) const;
   [[nodiscard]] raster::Draw stood_in_draw(const StoodIn& stood_in, const glm::dmat4& clip_from_world) const;
   [[nodiscard]] raster::Draw plate_draw(std::size_t plate, const glm::dmat4& clip_from_world) const;
   [[nodiscard]] raster::Draw relief_draw(const Relief& relief, const glm::dmat4& clip_from_world) const;

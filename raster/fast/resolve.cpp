@@ -151,7 +151,7 @@ class Resolver {
     lanes &= left;
     const Draw& draw = scene_.frame->draws[owners_.draw(owner)];
     if (draw.alpha_test && format_ == ColorFormat::rgba32f &&
-        drawn_by_kernels(scene_, owners_.piece(owner & ~kPieceBit))) {
+        drawn_by_kernels(owners_.piece(owner & ~kPieceBit))) {
       w_.stats.fragments_shaded -= std::uint64_t(std::popcount(lanes));
       return lanes;  // its colours were kept as it was tested
     }

@@ -220,7 +220,7 @@ bool drawn_by_clusters(const Draw& draw) {
          std::holds_alternative<ObjectVertices>(draw.vertices);
 }
 
-bool drawn_by_kernels(const Scene& scene, const Piece& piece) {
+bool drawn_by_kernels(const Piece& piece) {
   const auto* triangle = std::get_if<reference::Triangle>(&piece.shape);
   return triangle && !(triangle->polygon && triangle->polygon->has_turned_piece);
 }

@@ -67,7 +67,7 @@ struct Scene {
 
 /// Whether the kernels draw a piece of an order-free draw. If its draw has an alpha test, they shade it then, too, and
 /// targets of floats keep the colours.
-[[nodiscard]] bool drawn_by_kernels(const Scene& scene, const Piece& piece);
+[[nodiscard]] bool drawn_by_kernels(const Piece& piece);
 
 /// Fills the scene, whose memory it uses again.
 void make_scene(const Frame& frame, const Image& image, const RenderOptions& options, int threads, Scene& scene);

@@ -57,6 +57,7 @@ std::optional<Surface> make_surface(const Draw& draw, ColorFormat format) {
     s.cut_out = true;
     s.opaque = shading->cut_out->full;
     s.least_kept = least_alpha(shading->cut_out->cutoff, s.opaque);
+    s.kept_pixels = shading->cut_out->pixels;
   }
   if (draw.alpha_test) s.least_passing = least_alpha(*draw.alpha_test, s.full);
   s.has_normals = !draw.normals.empty();

@@ -22,6 +22,7 @@ struct Surface {
   bool cut_out = false;      ///< before it is lit
   float opaque = 1.0f;       ///< alpha of what the cut-out keeps
   float least_kept = 0.0f;   ///< alpha: the least that the cut-out keeps, in the target's unit; NaN: none
+  std::uint32_t kept_pixels = 0xFFFF;  ///< of each 4×4, by the cut-out
   float least_passing = 0.0f;  ///< alpha: the least that passes the draw's alpha test, if it has one; NaN: none
   const Texture* texture = nullptr;
   Sampler sampler;
@@ -42,7 +43,7 @@ struct SurfaceTriangle : TriangleEdges {
 /// Whether all samples of the triangle have one colour, wherever they are.
 [[nodiscard]] inline bool has_one_color(const Surface& s, const SurfaceTriangle& t) {
   const bool varies = s.has_vertex_colors || (s.lambert && s.has_normals);
-  return !s.texture && (t.flat || !varies);
+  return !s.texture && s.kept_pixels == 0xFFFF && (t.flat || !varies);
 }
 
 /// What the kernels make of sixteen samples.

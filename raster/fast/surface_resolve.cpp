@@ -14,6 +14,15 @@ bool filtered_by_kernel(const Surface& s) {
   return s.texture->format == TextureFormat::linear && s.sampler.filter != Filter::nearest;
 }
 
+/// As the cut-out of the surface has it.
+///   kept   a bit a sample: of those in pixels that are kept
+void cut_out(const Kernels& kernels, const Surface& surface, std::uint32_t kept, SurfaceSamples& samples) {
+  kernels.cut_out_surface(surface, samples);
+  for_each_lane(0xFFFF & ~kept, [&](std::size_t k) {
+    for (auto& channel : samples.rgba) channel[k] = 0.0f;
+  });
+}
+
 }  // namespace
 
 void shade_samples(const Kernels& kernels, const Surface& surface, const SurfaceTriangle& triangle,
@@ -23,7 +32,7 @@ void shade_samples(const Kernels& kernels, const Surface& surface, const Surface
     stats.texels_read += filtered_by_kernel(surface) ? kernels.apply_linear_texture(surface, lanes, samples)
                                                      : apply_texture(surface, lanes, samples);
   }
-  if (surface.cut_out) kernels.cut_out_surface(surface, samples);
+  if (surface.cut_out) cut_out(kernels, surface, surface.kept_pixels, samples);
 }
 
 SurfaceResolver::SurfaceResolver(const Scene& scene, Worker& worker, const Owners& owners, const PixelBox& box,
@@ -59,7 +68,8 @@ void SurfaceResolver::finish() {
 void SurfaceResolver::flush(Batch& batch) {
   if (batch.n == 0) return;
   for (std::size_t k = batch.n; k < 16; ++k) {
-    batch.owners[k] = batch.owners[0], batch.x_fx8[k] = batch.x_fx8[0], batch.y_fx8[k] = batch.y_fx8[0];
+    batch.owners[k] = batch.owners[0], batch.places[k] = batch.places[0];
+    batch.x_fx8[k] = batch.x_fx8[0], batch.y_fx8[k] = batch.y_fx8[0];
   }
   const FastDraw& fast = scene_.fast[batch.fast_draw];
   OwnersJob job = fast.owners_job;
@@ -68,7 +78,11 @@ void SurfaceResolver::flush(Batch& batch) {
   job.x_fx8 = batch.x_fx8.data(), job.y_fx8 = batch.y_fx8.data();
   SurfaceSamples samples;
   scene_.kernels->shade_owners(job, batch.owners.data(), samples);
-  if (job.surface->cut_out) scene_.kernels->cut_out_surface(*job.surface, samples);
+  if (job.surface->cut_out) {
+    std::uint32_t kept = 0;
+    for (std::size_t k = 0; k < 16; ++k) kept |= (job.surface->kept_pixels >> (batch.places[k] & 15) & 1) << k;
+    cut_out(*scene_.kernels, *job.surface, kept, samples);
+  }
   store(samples, [&](auto visit) {
     for (std::size_t k = 0; k < batch.n; ++k) visit(k, batch.places[k]);
   });

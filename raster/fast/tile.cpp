@@ -242,7 +242,7 @@ class TileDrawer {
   void draw_pieces() {
     for (const std::uint32_t i : scene_.row(row_)) {
       if (!touches(i) || !draw_of(i).order_free()) continue;
-      if (drawn_by_kernels(scene_, owners_.piece(i))) {
+      if (drawn_by_kernels(owners_.piece(i))) {
         draw_triangle(i, std::get<reference::Triangle>(owners_.piece(i).shape));
       } else {
         draw_order_free(i);
@@ -278,6 +278,8 @@ class TileDrawer {
     const Piece& p = owners_.piece(tested_.piece);
     const std::optional<Surface>& surface = scene_.surfaces[p.draw];
     if (!surface) return passing_by_reference(p, x_px, y_px, lanes);
+    if (surface->least_passing > 0.0f) lanes &= surface->kept_pixels;  // alpha is 0 in the others
+    if (lanes == 0) return 0;
     if (!tested_.triangle) tested_.triangle = make_surface_triangle(scene_.frame->draws[p.draw], p, box_.begin_px);
     shade_samples(*scene_.kernels, *surface, *tested_.triangle, glm::ivec2(x_px, y_px) * 256 + sample_fx8_, lanes,
                   w_.stats, tested_.samples);

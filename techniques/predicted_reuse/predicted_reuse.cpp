@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "techniques/objects_in_view.h"
 #include "techniques/predicted_reuse/relief.h"
@@ -25,13 +26,16 @@ double predicted_error_px(const View& view, const geometry::Bounds& box, const g
 }
 
 void PredictedReuse::prepare(Stage& stage) {
-  pictures_.reset(stage.world().objects().size());
-  poses_.assign(stage.world().objects().size(), {});
+  const std::size_t n = stage.world().objects().size();
+  pictures_.reset(2 * n);
+  poses_.assign(n, {});
+  fading_.assign(n, {});
   forget_ = false;
 }
 
 Counters PredictedReuse::draw(const View& view, Stage& stage) {
   pictures_.begin_frame();
+  ++frame_;
   work_ = {};
   wanted_.clear();
   if (forget_) pictures_.drop_all(stage);
@@ -47,8 +51,8 @@ Counters PredictedReuse::draw(const View& view, Stage& stage) {
   return {{"objects_in_view", in_view.size()}, {"near", work_.near},
           {"reused", work_.reused},            {"captured", work_.captured},
           {"late", work_.late},                {"unfit", work_.unfit},
-          {"evicted", pictures_.evicted()},    {"picture_bytes", pictures_.bytes()},
-          {"relief_triangles", work_.relief_triangles}};
+          {"faded", work_.faded},              {"evicted", pictures_.evicted()},
+          {"picture_bytes", pictures_.bytes()}, {"relief_triangles", work_.relief_triangles}};
 }
 
 /// Draws the object, shows its picture, or puts it among those that want a new one.
@@ -84,7 +88,7 @@ void PredictedReuse::capture(const View& view, const Wanted& wanted, Stage& stag
     ++work_.late;
     return show(id, stage);
   }
-  pictures_.drop(id, stage);
+  retire(id, stage);
   const std::uint64_t bytes =
       captured_bytes(wanted.window_px.size_px) + most_relief_bytes(wanted.window_px.size_px, params_.cell_px);
   if (!pictures_.make_room(bytes, stage)) {
@@ -105,12 +109,35 @@ void PredictedReuse::capture(const View& view, const Wanted& wanted, Stage& stag
   show(id, stage);
 }
 
+void PredictedReuse::retire(ObjectId id, Stage& stage) {
+  pictures_.drop(old_place(id), stage);
+  if (params_.fade_frames == 0 || !pictures_.find(id)) return pictures_.drop(id, stage);
+  pictures_.move(id, old_place(id));
+  fading_[id] = {.pose = std::move(poses_[id]), .last_seen = frame_ - 1};
+}
+
 void PredictedReuse::show(ObjectId id, Stage& stage) {
-  pictures_.show(id);
-  const Pose& pose = poses_[id];
-  if (!pose.relief) return stage.plate(id, *pictures_.find(id), pose.corners_world, PlateEdge::cutout);
+  std::uint16_t pixels = kEveryPixel;
+  if (pictures_.find(old_place(id))) {
+    Fading& fading = fading_[id];
+    const bool seen_in_between = std::exchange(fading.last_seen, frame_) + 1 == frame_;
+    if (seen_in_between) pixels = dithered_pixels(16 * ++fading.step / (params_.fade_frames + 1));
+    if (pixels == kEveryPixel) {
+      pictures_.drop(old_place(id), stage);
+    } else {
+      ++work_.faded;
+      show(id, old_place(id), fading.pose, std::uint16_t(~pixels), stage);
+    }
+  }
+  show(id, id, poses_[id], pixels, stage);
+}
+
+void PredictedReuse::show(ObjectId id, std::size_t place, const Pose& pose, std::uint16_t pixels, Stage& stage) {
+  pictures_.show(place);
+  const PictureId picture = *pictures_.find(place);
+  if (!pose.relief) return stage.plate(id, picture, pose.corners_world, PlateEdge::cutout, pixels);
   work_.relief_triangles += pose.relief->indices.size() / 3;
-  stage.relief(id, *pictures_.find(id), stage.world().objects()[id].bounds.centre(), pose.relief, PlateEdge::cutout);
+  stage.relief(id, picture, stage.world().objects()[id].bounds.centre(), pose.relief, PlateEdge::cutout, pixels);
 }
 
 }  // namespace lode::techniques

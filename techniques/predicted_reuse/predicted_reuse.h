@@ -22,6 +22,7 @@ class PredictedReuse {
     double error_px = 1.0;         ///< a picture is taken anew when more is predicted of it; 0: in every frame
     int most_captures = 4;         ///< in one frame, the worst first; 0: any. The others are late.
     int cell_px = 8;               ///< side of a relief's cells, px of the picture; 0: a plate
+    int fade_frames = 0;           ///< in which an old picture goes pixel by pixel as the new one comes; 0: at once
     FarRule far{};
     std::uint64_t most_bytes = 0;  ///< of pictures that are kept, those shown last the longest. 0: any
   };
@@ -33,7 +34,8 @@ class PredictedReuse {
   void prepare(Stage& stage);
   void cut() { forget_ = true; }
   /// Counters: objects_in_view, near (drawn since they are), reused, captured, late (shown with an error above the
-  /// limit), unfit (drawn since no picture of them would be seen, or fit), evicted, picture_bytes, relief_triangles.
+  /// limit), unfit (drawn since no picture of them would be seen, or fit), faded (shown with the picture that they had
+  /// before), evicted, picture_bytes, relief_triangles.
   /// Throws raster::Error (bad_input if the world's colours are raw; out_of_memory).
   Counters draw(const View& view, Stage& stage);
 
@@ -45,6 +47,12 @@ class PredictedReuse {
     std::array<glm::dvec3, 4> corners_world{};
     std::shared_ptr<const PictureRelief> relief{};  ///< null: a plate
   };
+  /// The picture that an object had before, in the place objects + id, as long as it is still seen.
+  struct Fading {
+    Pose pose{};
+    int step = 0;                ///< frames since the new one came
+    std::uint64_t last_seen = 0;  ///< frame
+  };
   /// An object that wants a new picture.
   struct Wanted {
     ObjectId object;
@@ -52,17 +60,23 @@ class PredictedReuse {
     raster::Rect window_px;
   };
   struct Work {
-    std::uint64_t near = 0, reused = 0, captured = 0, late = 0, unfit = 0, relief_triangles = 0;
+    std::uint64_t near = 0, reused = 0, captured = 0, late = 0, unfit = 0, faded = 0, relief_triangles = 0;
   };
 
   void look_at(const View& view, ObjectId id, Stage& stage);
   void capture(const View& view, const Wanted& wanted, Stage& stage);
+  /// Puts the object's picture where old ones are, or lets it go.
+  void retire(ObjectId id, Stage& stage);
   void show(ObjectId id, Stage& stage);
+  void show(ObjectId id, std::size_t place, const Pose& pose, std::uint16_t pixels, Stage& stage);
+  [[nodiscard]] std::size_t old_place(ObjectId id) const { return poses_.size() + id; }
 
   Params params_;
   PictureStore pictures_;
-  std::vector<Pose> poses_;  ///< [objects] of those that have a picture
+  std::vector<Pose> poses_;     ///< [objects] of those that have a picture
+  std::vector<Fading> fading_;  ///< [objects] of those that have an old one, too
   std::vector<Wanted> wanted_;
+  std::uint64_t frame_ = 0;
   bool forget_ = false;
   Work work_;
 };

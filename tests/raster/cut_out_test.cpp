@@ -42,6 +42,25 @@ TEST(CutOut, ComesBeforeTheLight) {
   EXPECT_EQ(scene.image.rgba32f[0], glm::vec4(0.25f, 0.25f, 0.25f, 1.0f));
 }
 
+TEST(CutOut, KeepsThePixelsOfADitherOnly) {
+  constexpr std::uint16_t kPixels = 0b1000'0010'0100'0001;  // (0, 0), (2, 1), (1, 2), (3, 3)
+  for (const bool tested : {false, true}) {
+    SmallScene scene({11, 9}, ColorFormat::rgba32f);
+    Draw& draw = scene.rect({0, 0}, {11, 9}, 0.5, {0.25f, 0.5f, 0.75f, 1.0f});
+    draw.shader = material_shader({.cut_out = CutOut{.pixels = kPixels}, .light = {}});
+    if (tested) draw.alpha_test = 0.5;
+    scene.render();
+    for (int y = 0; y < 9; ++y) {
+      for (int x = 0; x < 11; ++x) {
+        const bool kept = (kPixels >> (x % 4 + 4 * (y % 4)) & 1) != 0;
+        const auto i = std::size_t(y * 11 + x);
+        EXPECT_EQ(scene.image.rgba32f[i], kept ? glm::vec4(0.25f, 0.5f, 0.75f, 1.0f) : glm::vec4(0.0f)) << x << " " << y;
+        EXPECT_EQ(scene.image.depth[i], kept || !tested ? 0.5f : 0.0f);
+      }
+    }
+  }
+}
+
 TEST(CutOut, AnEmptyMaterialIsNoShader) {
   EXPECT_EQ(material_shader({}).function, nullptr);
   const Shader shader = cut_out(0.25, 255.0f);

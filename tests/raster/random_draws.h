@@ -189,6 +189,7 @@ class RandomDraw {
     if (one_in(4)) {
       MaterialShading shading;
       if (one_in(2)) shading.cut_out = CutOut{.cutoff = random_.unit(), .full = one_in(8) ? 2.0f : full_};
+      if (shading.cut_out && one_in(3)) shading.cut_out->pixels = std::uint16_t(random_.below(0x10000));
       if (!shading.cut_out || one_in(2)) shading.light = lambert();
       draw.shader = material_shader(shading);
     } else if (one_in(8)) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
@@ -251,6 +253,69 @@ TEST(PredictedReuse, NothingIsShownOfWhatIsNearOrCut) {
   walk.cut();
   walk.step(view_from({0, 4, 60}));
   EXPECT_EQ(walk["captured"], walk["objects_in_view"]);
+}
+
+Scene one_ball() {
+  Scene scene;
+  geometry::add_instance(scene, geometry::sphere(glm::dvec3(0.0), 3.0, 24, 12), colored({1, 0.5f, 0.25f, 1}));
+  return scene;
+}
+
+TEST(CrossFade, EachPixelIsTheOldPicturesOrTheNewOnes) {
+  const Scene scene = one_ball();
+  Walk fading(scene, {.most_captures = 0, .cell_px = 0, .fade_frames = 3}), at_once(scene, {.cell_px = 0}),
+      never(scene, {.error_px = 1e9, .cell_px = 0});
+  const View before = view_from(around(0.0, 60.0)), after = view_from(around(40.0, 60.0));
+  for (Walk* walk : {&fading, &at_once, &never}) walk->step(before);
+  const raster::Image of_new = at_once.step(after), of_old = never.step(after);
+  ASSERT_GT(squared_error(of_new, of_old), 0.0);
+  for (const int share : {4, 8, 12, 16}) {
+    const raster::Image shown = fading.step(after);
+    EXPECT_EQ(fading["faded"], share < 16 ? 1u : 0u);
+    for (int y = 0; y < after.size_px.y; ++y) {
+      for (int x = 0; x < after.size_px.x; ++x) {
+        const bool is_new = (dithered_pixels(share) >> (x % 4 + 4 * (y % 4)) & 1) != 0;
+        const auto i = std::size_t(y * after.size_px.x + x);
+        ASSERT_EQ(shown.rgba32f[i], (is_new ? of_new : of_old).rgba32f[i]) << share << ": " << x << ", " << y;
+      }
+    }
+  }
+}
+
+TEST(CrossFade, AnOldPictureDoesNotComeBackAfterAGap) {
+  const Scene scene = one_ball();
+  Walk fading(scene, {.most_captures = 0, .fade_frames = 9}), at_once(scene, {});
+  const View before = view_from(around(0.0, 60.0)), after = view_from(around(40.0, 60.0));
+  const View away = view_from({0, 4, 60}, {0, 4, 120});
+  for (const View& view : {before, after, away}) fading.step(view), at_once.step(view);
+  EXPECT_EQ(fading.step(after).rgba32f, at_once.step(after).rgba32f);
+  EXPECT_EQ(fading["faded"], 0u);
+  EXPECT_EQ(fading["picture_bytes"], at_once["picture_bytes"]);
+}
+
+TEST(CrossFade, KeepsTheLimitOfMemory) {
+  const Scene scene = row_of_balls();
+  Walk all(scene, {.most_captures = 0});
+  all.step(view_from({0, 4, 60}));
+  const std::uint64_t limit = 7 * all["picture_bytes"] / 5;
+  Walk walk(scene, {.most_captures = 0, .fade_frames = 5, .most_bytes = limit});
+  std::uint64_t most_faded = 0;
+  for (int k = 0; k < 12; ++k) {
+    walk.step(view_from(around(4.0 * k, 60.0)));
+    EXPECT_LE(walk["picture_bytes"], limit);
+    most_faded = std::max(most_faded, walk["faded"]);
+  }
+  EXPECT_GE(most_faded, 1u);
+}
+
+TEST(Dither, EachStepTakesOneMorePixel) {
+  EXPECT_EQ(dithered_pixels(0), 0);
+  EXPECT_EQ(dithered_pixels(16), kEveryPixel);
+  for (int n = 0; n < 16; ++n) {
+    EXPECT_EQ(std::popcount(dithered_pixels(n)), n);
+    EXPECT_EQ(dithered_pixels(n) & ~dithered_pixels(n + 1), 0);
+  }
+  EXPECT_EQ(dithered_pixels(2), 1 << 0 | 1 << (2 + 4 * 2));  // as far apart as can be
 }
 
 }  // namespace
