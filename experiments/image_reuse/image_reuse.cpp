@@ -26,6 +26,7 @@ constexpr std::string_view kOthers[] = {kLiteral,
                                         "image_reuse:threshold=2,magnification=1.25",
                                         "predicted_reuse:cell=0",
                                         "predicted_reuse:cell=0,error=3",
+                                        "predicted_reuse:cell=0,fade=8",
                                         "predicted_reuse",
                                         "predicted_reuse:error=3",
                                         "twelve_views:elevation=0",
@@ -33,7 +34,9 @@ constexpr std::string_view kOthers[] = {kLiteral,
                                         "mesh_lod",
                                         "mesh_lod:level=1",
                                         "mesh_lod:level=2",
-                                        "mesh_lod:level=3"};
+                                        "mesh_lod:level=3",
+                                        "mesh_lod:pixels=2,share1=0.2,share2=0.1",
+                                        "mesh_lod:pixels=6,share1=0.2,share2=0.1"};
 
 constexpr int kQuickFrames = 120, kQuickPasses = 1, kFullPasses = 3;
 constexpr double kOfSize = -1.0;
@@ -105,7 +108,7 @@ std::vector<Walk> walks_of(const geometry::Scene& scene, const Part& part, const
 /// What a finished walk depends on, beside the program itself.
 std::string key_of(const Walk& walk, const std::string& look, const std::vector<Method>& methods,
                    const ExperimentRun& run) {
-  std::string key = "image_reuse walk 5; " + walk.scene + "; look " + look + "; " + walk.path + "; passes " +
+  std::string key = "image_reuse walk 6; " + walk.scene + "; look " + look + "; " + walk.path + "; passes " +
                     std::to_string(walk.n_passes) + "; threads " + std::to_string(run.common.threads) + "; frames " +
                     std::to_string(walk.frames.front()) + " to " + std::to_string(walk.frames.back()) + ";";
   for (const Method& method : methods) key += " " + settings_of(method) + ";";

@@ -13,9 +13,11 @@ inline constexpr const char* kNoCache = "plain";
 /// Ohno et al. measured 1, 2 and 5; the others surround them.
 inline constexpr std::array kThresholds_deg = {"0.5", "1", "2", "3", "5", "10"};
 
+inline constexpr std::string_view kReuse = "image_reuse:";
+
 /// The paper's technique at a threshold, and as the paper prints it at the one that it recommends.
 [[nodiscard]] inline std::string reuse_at(std::string_view threshold_deg) {
-  return "image_reuse:threshold=" + std::string(threshold_deg);
+  return std::string(kReuse) + "threshold=" + std::string(threshold_deg);
 }
 inline constexpr const char* kLiteral = "image_reuse:threshold=2,placement=literal";
 

@@ -90,6 +90,35 @@ void add_cost_model(const std::vector<Row>& methods, std::string_view skips, std
   summary.push_back(std::move(row));
 }
 
+/// The fastest of some methods whose FLIP is at most so much; null if there is none.
+const Row* fastest(const std::vector<Row>& methods, double most_flip, bool reuse) {
+  const Row* best = nullptr;
+  for (const Row& row : methods) {
+    const std::string method = row.text("method");
+    if (method.ends_with(kWithSkips) || method == kNoCache || method.starts_with(kReuse) != reuse) continue;
+    if (!row.find("frame_ms_mean") || !row.find("flip") || row.number("flip") > most_flip) continue;
+    if (best == nullptr || row.number("frame_ms_mean") < best->number("frame_ms_mean")) best = &row;
+  }
+  return best;
+}
+
+void add_equal_errors(const std::vector<Row>& methods, std::vector<Row>& summary) {
+  for (const char* degrees : kThresholds_deg) {
+    const Row* threshold = timed_row(methods, reuse_at(degrees));
+    if (threshold == nullptr || !threshold->find("flip")) continue;
+    const double flip = threshold->number("flip");
+    const Row *reuse = fastest(methods, flip, true), *rival = fastest(methods, flip, false);
+    if (rival == nullptr) continue;
+    Row row;
+    row.add("kind", kOfEqualError).add("scene", threshold->text("scene")).add("path", threshold->text("path"));
+    row.add("each", threshold->number("each")).add("flip", flip);
+    row.add("method", reuse->text("method")).add("frame_ms_mean", reuse->number("frame_ms_mean"));
+    row.add("rival", rival->text("method")).add("rival_ms", rival->number("frame_ms_mean"));
+    row.add("ratio", reuse->number("frame_ms_mean") / rival->number("frame_ms_mean"));
+    summary.push_back(std::move(row));
+  }
+}
+
 }  // namespace
 
 void add_summary(const CaseResult& walk, double each, std::vector<Row>& summary) {
@@ -104,6 +133,7 @@ void add_summary(const CaseResult& walk, double each, std::vector<Row>& summary)
   summary.insert(summary.end(), methods.begin(), methods.end());
   add_cost_model(methods, "", summary);
   add_cost_model(methods, kWithSkips, summary);
+  add_equal_errors(methods, summary);
 }
 
 void add_crossovers(std::vector<Row>& summary) {

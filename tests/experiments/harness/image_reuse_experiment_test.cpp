@@ -125,6 +125,30 @@ Row row_of(const char* method, double frame, const char* column, double value) {
   return row;
 }
 
+TEST(ReuseSummary, HoldsTheFastestOfTheOthersAgainstReuseAtEqualError) {
+  CaseResult walk;
+  const auto add = [&](const std::string& method, double ms, double flip) {
+    walk.results.push_back(row_of(method.c_str(), 0.0, "flip", flip));
+    walk.times.push_back(row_of(method.c_str(), 0.0, "frame_ms", ms));
+  };
+  add(kNoCache, 9.0, 0.0);
+  add(reuse_at("1"), 6.0, 0.01);
+  add(reuse_at("5"), 7.0, 0.02);  // slower than 1 degree, whose error is smaller
+  add("close", 5.0, 0.01);
+  add("far", 1.0, 0.03);
+  add("close + skips", 2.0, 0.01);
+  std::vector<Row> summary;
+  add_summary(walk, 4000.0, summary);
+  const std::vector<Row> equal = rows_with(summary, "kind", kOfEqualError);
+  ASSERT_EQ(equal.size(), 2u);
+  for (const Row& row : equal) {
+    EXPECT_EQ(row.text("method"), reuse_at("1"));
+    EXPECT_EQ(row.text("rival"), "close");
+    EXPECT_EQ(row.number("ratio"), 6.0 / 5.0);
+  }
+  EXPECT_EQ(equal[1].number("flip"), 0.02);
+}
+
 TEST(ReuseSummary, HasSpeedupsAgainstTheSameSkipsAndTheModel) {
   CaseResult walk;
   const auto add = [&](const std::string& method, double ms) {
