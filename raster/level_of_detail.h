@@ -2,12 +2,27 @@
 /// Which mip levels a footprint reads, and how many probes an anisotropic filter takes (C10). Lengths are in
 /// texels of level 0, from the derivatives, squared, in double; the logarithm is found by table.
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "raster/level_of_detail_table.h"
 #include "raster/texture.h"
 
 namespace lode::raster {
+
+/// How many thresholds are at or below 1 + k/256: of m in [1, 2), at most one more is below m than at the multiple of
+/// 1/256 below it, as they are 1.0054 and more apart from factor to factor.
+inline constexpr std::array<std::uint8_t, 256> kFirstThreshold = [] {
+  std::array<std::uint8_t, 256> first{};
+  for (std::size_t k = 0, n = 0; k < 256; ++k) {
+    while (n < 128 && kLog2Threshold[n] <= 1.0 + double(k) / 256.0) ++n;
+    first[k] = std::uint8_t(n);
+  }
+  return first;
+}();
 
 /// λ of a length of 0, and of an infinite one.
 inline constexpr std::int32_t kMinLambda_fx8 = -128 * 1024;
@@ -15,7 +30,19 @@ inline constexpr std::int32_t kMaxLambda_fx8 = 128 * 1024;
 
 /// log2(ρ) in 1/256, rounded to nearest: round(128 · log2(ρ²)). Within 2⁻⁹ + 2⁻⁴⁰ of log2(ρ).
 ///   rho_squared   any double; 0, denormal, negative and NaN give kMinLambda_fx8, Inf gives kMaxLambda_fx8
-[[nodiscard]] std::int32_t lambda_fx8(double rho_squared);
+[[nodiscard]] inline std::int32_t lambda_fx8(double rho_squared) {
+  if (!(rho_squared > 0.0)) return kMinLambda_fx8;  // NaN, too
+  // ρ² = m · 2^e with m in [1, 2): 128 · log2(ρ²) = 128·e + 128·log2(m), and the second term rounds to the number
+  // of thresholds at or below m.
+  const auto bits = std::bit_cast<std::uint64_t>(rho_squared);
+  const auto biased_exponent = static_cast<std::int32_t>(bits >> 52);
+  if (biased_exponent == 0) return kMinLambda_fx8;
+  if (biased_exponent == 2047) return kMaxLambda_fx8;
+  const auto m = std::bit_cast<double>((bits & 0x000F'FFFF'FFFF'FFFF) | 0x3FF0'0000'0000'0000);
+  std::int32_t n = kFirstThreshold[bits >> 44 & 255];
+  if (n < 128 && kLog2Threshold[n] <= m) ++n;
+  return 128 * (biased_exponent - 1023) + n;
+}
 
 /// No ρ² up to here has a λ above 0.
 inline constexpr double kFirstLevelAlone = 1.0 + 0x1p-9;
@@ -30,7 +57,10 @@ struct LevelPair {
 };
 
 /// λ clamped to [0, n_levels − 1], n_levels ≥ 1, and split.
-[[nodiscard]] LevelPair mip_levels(std::int32_t lambda_fx8, std::int32_t n_levels);
+[[nodiscard]] inline LevelPair mip_levels(std::int32_t lambda_fx8, std::int32_t n_levels) {
+  const std::int32_t clamped_fx8 = std::clamp(lambda_fx8, 0, (n_levels - 1) * 256);
+  return {clamped_fx8 >> 8, clamped_fx8 & 255};
+}
 
 /// Where an anisotropic filter reads: n trilinear probes, all at one λ, along the longer of the two derivatives.
 struct Probes {

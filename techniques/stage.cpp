@@ -1,6 +1,7 @@
 #include "techniques/stage.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <utility>
 
 #include "raster/error.h"
@@ -24,6 +25,25 @@ glm::dmat4 world_from(const glm::dvec3& centre) {
 
 raster::Shader cut_out_shader(std::uint16_t pixels) {
   return raster::material_shader({.cut_out = raster::CutOut{.cutoff = 0.5, .pixels = pixels}, .light = {}});
+}
+
+/// The least rectangle of an image that has all pixels where something is; its first pixel if nothing is.
+raster::Rect covered_part(const raster::Image& image) {
+  glm::ivec2 begin = image.size_px, end(0);
+  for (int y = 0; y < image.size_px.y; ++y) {
+    const std::size_t row = std::size_t(y) * std::size_t(image.size_px.x);
+    const auto covered = [&](int x) {
+      const std::size_t i = row + std::size_t(x);
+      return image.depth[i] > 0.0f || image.rgba32f[i] != glm::vec4(0.0f);
+    };
+    int first = 0, last = image.size_px.x;
+    while (first < last && !covered(first)) ++first;
+    if (first == last) continue;
+    while (!covered(last - 1)) --last;
+    begin = glm::min(begin, glm::ivec2(first, y)), end = glm::max(end, glm::ivec2(last, y + 1));
+  }
+  if (end.x == 0) return {{0, 0}, {1, 1}};
+  return {begin, end - begin};
 }
 
 }  // namespace
@@ -126,6 +146,16 @@ PictureId Stage::capture(std::span<const ObjectId> objects, const geometry::Came
 
 PictureId Stage::capture(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px,
                          const glm::vec4& background) {
+  return keep(view, window_px, drawn_alone(objects, view, window_px, background), {{0, 0}, window_px.size_px});
+}
+
+PictureId Stage::capture_covered(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px) {
+  const raster::Image image = drawn_alone(objects, view, window_px, glm::vec4(0.0f));
+  return keep(view, window_px, image, covered_part(image));
+}
+
+raster::Image Stage::drawn_alone(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px,
+                                 const glm::vec4& background) const {
   if (world_.color_space() == ColorSpace::raw) {
     throw raster::Error(raster::ErrorKind::bad_input, "a captured picture: expected linear colours (srgb), found raw");
   }
@@ -141,12 +171,22 @@ PictureId Stage::capture(std::span<const ObjectId> objects, const View& view, co
       raster::make_image(window_px.size_px, raster::ColorFormat::rgba32f, {.color = true, .depth = true, .ids = false});
   const raster::Rect viewport{-window_px.origin_px, view.size_px};
   raster::render({.draws = draws, .clear = background, .viewport = viewport, .scissor = {}}, image, options_);
+  return image;
+}
 
+PictureId Stage::keep(const View& view, const raster::Rect& window_px, const raster::Image& image,
+                      const raster::Rect& part_px) {
   auto captured = std::make_unique<CapturedPicture>();
   captured->camera = view.camera;
-  captured->view_size_px = view.size_px, captured->origin_px = window_px.origin_px;
-  captured->texture = raster::make_linear_texture(window_px.size_px, image.rgba32f, raster::Mips::all);
-  captured->depth.assign(image.depth.begin(), image.depth.end());
+  captured->view_size_px = view.size_px, captured->origin_px = window_px.origin_px + part_px.origin_px;
+  std::vector<glm::vec4> texels;
+  const glm::ivec2 end_px = part_px.origin_px + part_px.size_px;
+  for (int y = part_px.origin_px.y; y < end_px.y; ++y) {
+    const auto row = std::ptrdiff_t(y) * image.size_px.x, first = row + part_px.origin_px.x, last = row + end_px.x;
+    texels.insert(texels.end(), image.rgba32f.begin() + first, image.rgba32f.begin() + last);
+    captured->depth.insert(captured->depth.end(), image.depth.begin() + first, image.depth.begin() + last);
+  }
+  captured->texture = raster::make_linear_texture(part_px.size_px, texels, raster::Mips::all);
   ++work_.captures;
   work_.captured_px += std::uint64_t(window_px.size_px.x) * std::uint64_t(window_px.size_px.y);
   pictures_.emplace(next_picture_, std::move(captured));

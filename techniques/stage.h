@@ -39,6 +39,7 @@ struct CapturedPicture {
   raster::Texture texture;        ///< linear
   std::vector<float> depth;       ///< [w · h] of the camera's depth range: 1 near, 0 where there is nothing
   [[nodiscard]] glm::ivec2 size_px() const { return texture.levels.front().size_px; }
+  [[nodiscard]] raster::Rect window_px() const { return {origin_px, size_px()}; }
 };
 
 /// A picture's pixels as a mesh in the world.
@@ -124,6 +125,9 @@ class Stage {
   ///   background   premultiplied, where there is nothing
   [[nodiscard]] PictureId capture(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px,
                                   const glm::vec4& background = glm::vec4(0.0f));
+  /// The same of as much of the window as shows anything: the least rectangle, or a pixel if nothing is there.
+  [[nodiscard]] PictureId capture_covered(std::span<const ObjectId> objects, const View& view,
+                                          const raster::Rect& window_px);
   [[nodiscard]] const CapturedPicture& picture(PictureId id) const;
   /// The frame being made may still show it; it goes when the next one begins.
   void release(PictureId id);
@@ -170,6 +174,11 @@ class Stage {
     std::uint16_t pixels;
     raster::Shader shader;  ///< of a plate without a picture, whose pointer is null
   };
+  [[nodiscard]] raster::Image drawn_alone(std::span<const ObjectId> objects, const View& view,
+                                          const raster::Rect& window_px, const glm::vec4& background) const;
+  /// A part of an image of the window.
+  [[nodiscard]] PictureId keep(const View& view, const raster::Rect& window_px, const raster::Image& image,
+                               const raster::Rect& part_px);
   void add_time(std::string_view part, std::chrono::steady_clock::duration time);
   [[nodiscard]] raster::Draw picture_draw(ObjectId id, const CapturedPicture* picture, PlateEdge edge,
                                           std::uint16_t pixels) const;

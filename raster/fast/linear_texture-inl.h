@@ -93,6 +93,8 @@ HWY_INLINE void LinearTexelsAt(const double* coordinates, const std::int32_t* si
 struct LevelReads {
   alignas(64) std::int32_t index[4][16];  ///< in the level's picture, or kBorderTexel, kNoTexel
   alignas(64) double weight[4][16];
+  /// A bit a sample: whether the four are two pairs of neighbours, none of them outside or of weight 0.
+  std::uint32_t whole;
 };
 /// Outside a picture with borders; of weight 0, which adds nothing, be the texel infinite.
 constexpr std::int32_t kBorderTexel = -1, kNoTexel = -2;
@@ -112,10 +114,13 @@ HWY_INLINE void ReadsOf(const Surface& s, const std::int32_t* levels, std::int32
   AxisTexels x, y;
   LinearTexelsAt(samples.u, width, s.sampler.wrap_u, x);
   LinearTexelsAt(samples.v, height, s.sampler.wrap_v, y);
+  out.whole = 0;
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(i32)) {
     const auto level = hn::Load(i32, level_weights_fx8 + lane), row = hn::Load(i32, width + lane);
     const auto x1 = hn::Load(i32, x.second_weight_fx8 + lane);
     const auto y1 = hn::Mul(level, hn::Load(i32, y.second_weight_fx8 + lane));
+    const auto next = hn::Add(hn::Load(i32, x.first + lane), hn::Set(i32, 1));
+    auto whole = hn::Eq(next, hn::Load(i32, x.second + lane));
     const hn::Vec<HalfInts> x_weights[2] = {hn::Sub(hn::Set(i32, 256), x1), x1};
     const hn::Vec<HalfInts> y_weights[2] = {hn::Sub(hn::ShiftLeft<8>(level), y1), y1};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -125,9 +130,11 @@ HWY_INLINE void ReadsOf(const Surface& s, const std::int32_t* levels, std::int32
       const auto outside = hn::Lt(hn::Or(tx, ty), hn::Zero(i32));
       const auto index = hn::IfThenElse(outside, hn::Set(i32, kBorderTexel), hn::Add(hn::Mul(ty, row), tx));
       const auto none = hn::Eq(weight, hn::Zero(i32));
+      whole = hn::AndNot(hn::Or(outside, none), whole);
       hn::Store(hn::IfThenElse(none, hn::Set(i32, kNoTexel), index), i32, out.index[k] + lane);
       hn::Store(hn::PromoteTo(d, weight), d, out.weight[k] + lane);
     }
+    out.whole |= BitsOf(i32, whole) << lane;
   }
 }
 
@@ -143,6 +150,18 @@ class TexelSum {
     const Fours d;
     const hn::Rebind<float, Fours> f;
     const float* texels = &level.linear.data()->x;
+    if (reads.whole >> sample & 1) {
+      const float* rows[2] = {texels + 4 * std::ptrdiff_t(reads.index[0][sample]),
+                              texels + 4 * std::ptrdiff_t(reads.index[2][sample])};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto weight = hn::Set(d, reads.weight[k][sample]);
+        for (std::size_t i = 0; i < kVectors; ++i) {
+          const float* texel = rows[k >> 1] + 4 * (k & 1) + i * hn::Lanes(d);
+          sum_[i] = hn::MulAdd(weight, hn::PromoteTo(d, hn::LoadU(f, texel)), sum_[i]);
+        }
+      }
+      return;
+    }
     for (std::size_t k = 0; k < 4; ++k) {
       const std::int32_t index = reads.index[k][sample];
       const float* texel = (index < 0 ? special_ + 8 : texels) + 4 * std::ptrdiff_t(index);

@@ -95,12 +95,12 @@ void ImageReuse::capture(const View& view, const Wanted& wanted, Stage& stage) {
   const bool literal = params_.placement == PlatePlacement::literal;
   const std::vector<ObjectId> alone = {id};
   const glm::dvec3 centre = stage.world().objects()[id].bounds.centre();
-  pictures_.keep(id,
-                 stage.capture(literal ? in_view_ : alone, view, wanted.window_px,
-                               literal ? view.background : glm::vec4(0.0f)),
-                 bytes);
+  const PictureId picture = literal ? stage.capture(in_view_, view, wanted.window_px, view.background)
+                                    : stage.capture_covered(alone, view, wanted.window_px);
+  const raster::Rect window_px = stage.picture(picture).window_px();
+  pictures_.keep(id, picture, captured_bytes(window_px.size_px));
   plates_[id] = {.direction = viewing_direction(centre, view.camera.eye, params_.angle),
-                 .sides = plate_sides(view, centre, wanted.window_px, params_.placement)};
+                 .sides = plate_sides(view, centre, window_px, params_.placement)};
   ++work_.captured;
   if (literal) return stage.object(id);  // the frame whose pixels are copied
   show(view, id, stage);

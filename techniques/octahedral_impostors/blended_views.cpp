@@ -1,8 +1,12 @@
 #include "techniques/octahedral_impostors/blended_views.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <optional>
+#include <span>
+
+#include "raster/sample.h"
 
 namespace lode::techniques {
 namespace {
@@ -10,11 +14,13 @@ namespace {
 constexpr raster::Sampler kSampler{
     .filter = raster::Filter::trilinear, .wrap_u = raster::Wrap::border, .wrap_v = raster::Wrap::border};
 
+constexpr std::size_t kMost = raster::kMaxSampleBatch;
+
 /// One picture, with the plate's rays in its camera's space.
 class ShownView {
  public:
   ShownView(const PlateRays& plate, const WeightedView& view)
-      : picture_(*view.picture), weight_(view.weight), lambda_fx8_(view.lambda_fx8), parallel_(plate.parallel) {
+      : picture_(*view.picture), weight_(view.weight), texels_(view.texels_a_pixel), parallel_(plate.parallel) {
     const geometry::Camera& camera = picture_.camera;
     const auto seen = [&](const glm::dvec3& v) {
       return glm::dvec3(glm::dot(v, camera.right), glm::dot(v, camera.up), glm::dot(v, camera.back));
@@ -24,20 +30,36 @@ class ShownView {
     uv_from_units_ = 0.5 / geometry::half_extent(camera, picture_.size_px());
   }
 
-  [[nodiscard]] double weight() const { return weight_; }
-
-  [[nodiscard]] glm::vec4 color(const glm::dvec2& plate_uv, bool parallax) const {
-    const glm::dvec3 p = point_from_uv_ * glm::dvec3(plate_uv, 1.0);
-    const glm::dvec3 ray = parallel_ ? direction_ : p - eye_;
-    if (!(ray.z < 0.0)) return glm::vec4(0.0f);
-    glm::dvec2 uv = where_at(0.0, p, ray);
-    if (parallax) {
-      if (const std::optional<double> height = height_at(uv)) uv = where_at(*height, p, ray);
+  /// Adds the weighted colours at up to kMost places of the plate.
+  void add_to(std::span<glm::dvec4> sums, const glm::vec2* plate_uvs, bool parallax, raster::Target target) const {
+    raster::SampleBatch batch;
+    batch.rho_squared = texels_ * texels_;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const std::optional<glm::dvec2> uv = place_of(glm::dvec2(plate_uvs[i]), parallax);
+      if (!uv) continue;
+      batch.u[i] = uv->x, batch.v[i] = uv->y;
+      batch.wanted |= 1u << i;
     }
-    return raster::sample_linear(picture_.texture, kSampler, uv, lambda_fx8_);
+    if (batch.wanted == 0) return;
+    std::array<glm::vec4, kMost> texels;
+    raster::sample_linear(picture_.texture, kSampler, batch, target, texels);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      if (batch.wanted >> i & 1) sums[i] += weight_ * glm::dvec4(texels[i]);
+    }
   }
 
  private:
+  /// In the picture, where the ray through a place of the plate reads it; nothing if the ray does not come down on it.
+  [[nodiscard]] std::optional<glm::dvec2> place_of(const glm::dvec2& plate_uv, bool parallax) const {
+    const glm::dvec3 p = point_from_uv_ * glm::dvec3(plate_uv, 1.0);
+    const glm::dvec3 ray = parallel_ ? direction_ : p - eye_;
+    if (!(ray.z < 0.0)) return std::nullopt;
+    const glm::dvec2 uv = where_at(0.0, p, ray);
+    if (!parallax) return uv;
+    const std::optional<double> height = height_at(uv);
+    return height ? where_at(*height, p, ray) : uv;
+  }
+
   /// In the picture, where a ray through p meets the plane of a height before the centre.
   [[nodiscard]] glm::dvec2 where_at(double height, const glm::dvec3& p, const glm::dvec3& ray) const {
     const glm::dvec2 met = glm::dvec2(p) + (height - p.z) / ray.z * glm::dvec2(ray);
@@ -56,29 +78,43 @@ class ShownView {
   }
 
   const CapturedPicture& picture_;
-  double weight_;
-  std::int32_t lambda_fx8_;
+  double weight_, texels_;
   bool parallel_;
   glm::dmat3 point_from_uv_{1.0};  ///< of (u, v, 1)
   glm::dvec3 eye_{0.0}, direction_{0.0};
   glm::dvec2 uv_from_units_{0.0};
 };
 
+struct Blend {
+  std::vector<ShownView> views;
+  bool parallax;
+  raster::Target target;
+};
+
+void shade_blend(const void* state, const raster::ShadeBatch& batch, glm::vec4* rgba) noexcept {
+  const Blend& blend = *static_cast<const Blend*>(state);
+  for (std::size_t first = 0; first < std::size_t(batch.n); first += kMost) {
+    std::array<glm::dvec4, kMost> sums{};
+    const std::size_t n = std::min(kMost, std::size_t(batch.n) - first);
+    for (const ShownView& view : blend.views) {
+      view.add_to({sums.data(), n}, batch.uv + first, blend.parallax, blend.target);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool kept = sums[i].a >= 0.5;
+      rgba[first + i] = kept ? glm::vec4(glm::vec3(glm::dvec3(sums[i]) / sums[i].a), 1.0f) : glm::vec4(0.0f);
+    }
+  }
+}
+
 }  // namespace
 
-raster::Shader blended_views(const PlateRays& plate, const std::array<WeightedView, 3>& views, bool parallax) {
-  std::vector<ShownView> shown;
+raster::Shader blended_views(const PlateRays& plate, const std::array<WeightedView, 3>& views, bool parallax,
+                             raster::Target target) {
+  Blend blend{.views = {}, .parallax = parallax, .target = target};
   for (const WeightedView& view : views) {
-    if (view.weight > 0.0) shown.emplace_back(plate, view);
+    if (view.weight > 0.0) blend.views.emplace_back(plate, view);
   }
-  return raster::pixel_shader([shown = std::move(shown), parallax](const raster::Pixel& pixel) {
-    glm::dvec4 sum(0.0);
-    for (const ShownView& view : shown) {
-      sum += view.weight() * glm::dvec4(view.color(glm::dvec2(pixel.uv), parallax));
-    }
-    if (!(sum.a >= 0.5)) return glm::vec4(0.0f);
-    return glm::vec4(glm::vec3(glm::dvec3(sum) / sum.a), 1.0f);
-  });
+  return {shade_blend, std::make_shared<const Blend>(std::move(blend))};
 }
 
 }  // namespace lode::techniques

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "raster/render.h"
 #include "raster/shader.h"
 #include "techniques/stage.h"
 
@@ -25,15 +26,16 @@ struct PlateRays {
 struct WeightedView {
   const CapturedPicture* picture = nullptr;
   double weight = 0.0;          ///< 0…1
-  std::int32_t lambda_fx8 = 0;  ///< level of detail
+  double texels_a_pixel = 0.0;  ///< of the view, along a side: which level of detail is read
 };
 
 /// Colours of the plate, premultiplied, by its uv. With `parallax` a picture is read where the ray meets its plane
 /// moved to the height that its depth has where the ray meets the plane through the centre: one step towards where the
 /// ray meets the object. A view that the ray does not come down on counts as empty.
-///   views   those of weight 0 are not looked at; the pictures must outlive the shader
+///   views    those of weight 0 are not looked at; the pictures must outlive the shader
+///   target   whose kernels read the pictures; the same bits by all
 /// Where the weighted alpha is at least one half the result is opaque, its colour divided by that alpha; 0 elsewhere.
 [[nodiscard]] raster::Shader blended_views(const PlateRays& plate, const std::array<WeightedView, 3>& views,
-                                           bool parallax);
+                                           bool parallax, raster::Target target = raster::Target::best);
 
 }  // namespace lode::techniques

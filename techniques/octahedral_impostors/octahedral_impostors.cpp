@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "raster/level_of_detail.h"
 #include "techniques/objects_in_view.h"
 #include "techniques/octahedral_impostors/blended_views.h"
 #include "techniques/octahedral_impostors/hemi_octahedron.h"
@@ -40,10 +39,9 @@ bool near_the_hemisphere(const glm::dvec3& towards_viewer) {
   return towards_viewer.y >= -0.5 * glm::length(towards_viewer);
 }
 
-/// Texels of a picture that a pixel of the view spans, as a level of detail.
-std::int32_t level_of_detail(const CapturedPicture& picture, double pixel) {
-  const double texel = picture.camera.height / picture.size_px().y, per_pixel = pixel / texel;
-  return raster::lambda_fx8(per_pixel * per_pixel);
+/// Texels of a picture that a pixel of the view spans.
+double texels_a_pixel(const CapturedPicture& picture, double pixel) {
+  return pixel / (picture.camera.height / picture.size_px().y);
 }
 
 }  // namespace
@@ -119,10 +117,10 @@ void OctahedralImpostors::show(const View& view, ObjectId id, Stage& stage) {
     if (!(triangle.weights[k] > 0.0)) continue;
     const glm::ivec2 node = triangle.nodes[k];
     const CapturedPicture& picture = stage.picture(pictures_[id][std::size_t(node.y * params_.grid + node.x)]);
-    views[k] = {&picture, triangle.weights[k], level_of_detail(picture, sides.pixel)};
+    views[k] = {&picture, triangle.weights[k], texels_a_pixel(picture, sides.pixel)};
     ++blended_;
   }
-  stage.plate(id, corners, blended_views(plate, views, params_.parallax));
+  stage.plate(id, corners, blended_views(plate, views, params_.parallax, stage.render_options().target));
 }
 
 }  // namespace lode::techniques

@@ -97,9 +97,10 @@ void PredictedReuse::capture(const View& view, const Wanted& wanted, Stage& stag
   }
   const std::vector<ObjectId> alone = {id};
   const glm::dvec3 centre = stage.world().objects()[id].bounds.centre();
-  const PlateSides sides = plate_sides(view, centre, wanted.window_px, PlatePlacement::corrected);
-  const PictureId picture = stage.capture(alone, view, wanted.window_px);
-  pictures_.keep(id, picture, bytes);
+  const PictureId picture = stage.capture_covered(alone, view, wanted.window_px);
+  const raster::Rect window_px = stage.picture(picture).window_px();
+  const PlateSides sides = plate_sides(view, centre, window_px, PlatePlacement::corrected);
+  pictures_.keep(id, picture, captured_bytes(window_px.size_px) + most_relief_bytes(window_px.size_px, params_.cell_px));
   poses_[id] = {.eye = view.camera.eye, .pixel = sides.pixel, .corners_world = plate_corners(view, centre, sides)};
   if (params_.cell_px > 0) {
     poses_[id].relief =

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 
+#include "raster/level_of_detail.h"
+#include "raster/sample.h"
 #include "raster/texture.h"
 #include "texture_cases.h"
 #include "texture_filter_oracle.h"
@@ -100,6 +103,34 @@ TEST(SampleLinear, ResultsHaveOneNanAndOneZero) {
   EXPECT_EQ(std::bit_cast<std::uint32_t>(sample_linear(texture, {}, {.uv = {0.5, 0.5}}).b), 0u);  // 1 − 1
   const Sampler border{.filter = Filter::nearest, .wrap_u = Wrap::border, .border = glm::vec4(-0.0f)};
   EXPECT_EQ(std::bit_cast<std::uint32_t>(sample_linear(texture, border, {.uv = {2.0, 0.5}}).r), 0u);
+}
+
+TEST(SampleLinear, ManyAtOnceHaveTheBitsOfEach) {
+  test::HashedNumbers random(5);
+  for (int t = 0; t < 200; ++t) {
+    const glm::ivec2 size_px = test::random_size_px(random, 40);
+    const Texture texture = make_linear_texture(size_px, test::random_linear_texels(random, size_px), Mips::all);
+    Sampler sampler = test::random_sampler(random, kLinearFilters[t % 2]);
+    sampler.border = glm::vec4(0.1f, 0.7f, 1e-9f, -0.3f);
+    SampleBatch batch;
+    batch.rho_squared = std::exp2(12.0 * random.unit() - 4.0);
+    batch.wanted = random.below(0x10000);
+    for (std::size_t k = 0; k < kMaxSampleBatch; ++k) {
+      const Footprint footprint = test::random_footprint(random, size_px);
+      batch.u[k] = footprint.uv.x, batch.v[k] = footprint.uv.y;
+    }
+    for (const Target target : {Target::best, Target::scalar, Target::sse4, Target::avx2, Target::avx512}) {
+      if (!can_run(target)) continue;
+      std::array<glm::vec4, kMaxSampleBatch> texels;
+      sample_linear(texture, sampler, batch, target, texels);
+      for (std::size_t k = 0; k < kMaxSampleBatch; ++k) {
+        if (!(batch.wanted >> k & 1)) continue;
+        const glm::vec4 one =
+            sample_linear(texture, sampler, {batch.u[k], batch.v[k]}, lambda_fx8(batch.rho_squared), nullptr);
+        ASSERT_EQ(texels[k], one) << name_of(target) << ", " << t << ", " << k;
+      }
+    }
+  }
 }
 
 }  // namespace

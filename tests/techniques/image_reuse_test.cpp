@@ -227,12 +227,43 @@ TEST(ImageReuse, TakesThoseThatTurnedMostFirstWithinItsBudget) {
   EXPECT_EQ(walk.work().objects, 0u);
 }
 
+TEST(ImageReuse, KeepsOfAPictureWhatTheObjectCovers) {
+  const Scene scene = row_of_balls();
+  const World world(scene, {}, false);
+  Stage stage(world);
+  const View view = view_from({0.0, 0.0, 100.0});
+  const std::vector<ObjectId> ball = {2};
+  const raster::Rect window = *capture_window(view, world.objects()[2].bounds);
+  const CapturedPicture& whole = stage.picture(stage.capture(ball, view, window));
+  const CapturedPicture& covered = stage.picture(stage.capture_covered(ball, view, window));
+  const glm::ivec2 begin = covered.origin_px - whole.origin_px, end = begin + covered.size_px();
+  bool in_first_row = false, in_last_column = false;
+  for (int y = 0; y < whole.size_px().y; ++y) {
+    for (int x = 0; x < whole.size_px().x; ++x) {
+      const auto i = std::size_t(y * whole.size_px().x + x);
+      if (x < begin.x || y < begin.y || x >= end.x || y >= end.y) {
+        ASSERT_EQ(whole.depth[i], 0.0f);
+        continue;
+      }
+      const auto k = std::size_t((y - begin.y) * covered.size_px().x + x - begin.x);
+      ASSERT_EQ(covered.depth[k], whole.depth[i]);
+      ASSERT_EQ(covered.texture.levels[0].linear[k], whole.texture.levels[0].linear[i]);
+      in_first_row |= y == begin.y && whole.depth[i] > 0.0f;
+      in_last_column |= x == end.x - 1 && whole.depth[i] > 0.0f;
+    }
+  }
+  EXPECT_TRUE(in_first_row && in_last_column);
+  const std::vector<ObjectId> nothing;
+  EXPECT_EQ(stage.picture(stage.capture_covered(nothing, view, window)).size_px(), glm::ivec2(1));
+}
+
 TEST(ImageReuse, KeepsItsLimitOfMemory) {
   const Scene scene = row_of_balls();
   const View front = view_from({0.0, 0.0, 100.0});
   Walk any(scene);
   any.step(front);
-  const std::uint64_t one = any["picture_bytes"] / 5, of_two = any["picture_bytes"] / 2;
+  // Room is made for all of an object's window, of which the covered part is kept: 1.5 times as much, here.
+  const std::uint64_t one = any["picture_bytes"] / 5, of_two = 29 * one / 10;
   Walk walk(scene, {.most_bytes = of_two});
   const raster::Image image = walk.step(front);
   EXPECT_EQ(image.rgba32f, walk.whole(front).rgba32f);
