@@ -1,6 +1,5 @@
 /// An experiment that is interrupted leaves no results, keeps the cases that it has finished, and goes on after them.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -8,6 +7,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <thread>
 
@@ -69,7 +69,7 @@ TEST(InterruptedExperiment, LeavesNoResultsAndGoesOnWhereItWas) {
     ASSERT_TRUE(after.contains(name));
     EXPECT_EQ(after.at(name), written);  // not made again
   }
-  EXPECT_THAT(fs::directory_iterator(out), testing::SizeIs(2));  // the results, and what is kept
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 2);  // the results, and what is kept
 
   const std::string whole = directory / "whole";
   ASSERT_EQ(run_child(few_frames(whole)).status, 0);
