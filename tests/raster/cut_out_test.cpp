@@ -1,6 +1,7 @@
 // Masked materials: what is cut out, what an alpha test lets pass, and what is not shaded since it is hidden.
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "small_scene.h"
 
@@ -100,16 +101,31 @@ TEST(AlphaTest, IsExactAtItsThreshold) {
   }
 }
 
-// 32 × 32 samples, 8 × 32 of them behind an opaque rectangle that is not yet there: the fast pipeline draws in order, so
-// that the first is shaded for its test and the second only where nothing nearer is.
+// 32 × 32 samples, some columns of them behind an opaque rectangle: a whole 8 × 8 that is hidden is left out by itself,
+// hidden samples of others one by one.
 TEST(AlphaTest, DoesNotShadeWhatIsHidden) {
-  SmallScene scene({32, 32});
-  scene.rect({0, 0}, {8, 32}, 0.75, {255, 0, 0, 255});
-  scene.rect({0, 0}, {32, 32}, 0.5, {0, 255, 0, 255}).alpha_test = 0.5;
-  const FrameStats stats = scene.render();
-  // For the test, and where they are seen in the end.
-  EXPECT_EQ(stats.fragments_shaded, 24u * 32u + 32u * 32u);
-  EXPECT_EQ(stats.fragments_alpha_failed, 0u);
+  for (const int hidden_px : {8, 6}) {
+    SmallScene scene({32, 32});
+    scene.rect({0, 0}, {hidden_px, 32}, 0.75, {255, 0, 0, 255});
+    scene.rect({0, 0}, {32, 32}, 0.5, {0, 255, 0, 255}).alpha_test = 0.5;
+    const FrameStats stats = scene.render();
+    // For the test, and where they are seen in the end.
+    EXPECT_EQ(stats.fragments_shaded, unsigned(32 - hidden_px) * 32u + 32u * 32u);
+    EXPECT_EQ(stats.fragments_alpha_failed, 0u);
+  }
+}
+
+TEST(AlphaTest, AtEqualDepthTheLowerDrawWins) {
+  for (const auto& [first, second] : {std::pair(5u, 1u), std::pair(1u, 5u)}) {
+    SmallScene scene({32, 32}, ColorFormat::rgba32f);
+    scene.rect({0, 0}, {30, 32}, 0.5, {1, 0, 0, 1}).draw_id = first;
+    Draw& tested = scene.rect({0, 0}, {32, 32}, 0.5, {0, 1, 0, 1});
+    tested.alpha_test = 0.5;
+    tested.draw_id = second;
+    scene.render();
+    EXPECT_EQ(scene.image.rgba32f[0], first < second ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 1, 0, 1));
+    EXPECT_EQ(scene.image.rgba32f[31], glm::vec4(0, 1, 0, 1));
+  }
 }
 
 // Targets of floats keep the colours of the test; an owner that lost its sample has lost its colour, too.
@@ -129,6 +145,18 @@ TEST(AlphaTest, CountsWhatFails) {
   const FrameStats stats = scene.render();
   EXPECT_EQ(stats.fragments_alpha_failed, 24u * 32u);
   EXPECT_EQ(stats.fragments_shaded, 24u * 32u + 8u * 32u);
+}
+
+// A weight of 0 times an infinite colour is no colour, on the rectangle's diagonal; elsewhere the sum is infinite.
+TEST(Surfaces, InfiniteColorsAreWeighedLikeOthers) {
+  SmallScene scene({16, 16}, ColorFormat::rgba32f);
+  Draw& draw = scene.rect({0, 0}, {16, 16}, 0.5, {1, 1, 1, 1});
+  draw.colors = scene.keep(std::vector<glm::vec4>(4, glm::vec4(kInf, 1, 1, 1)));
+  scene.render();  // by both pipelines
+  int n_nan = 0, n_infinite = 0;
+  for (const glm::vec4& color : scene.image.rgba32f) n_nan += std::isnan(color.r), n_infinite += std::isinf(color.r);
+  EXPECT_EQ(n_nan, 16);
+  EXPECT_EQ(n_infinite, 16 * 15);
 }
 
 }  // namespace

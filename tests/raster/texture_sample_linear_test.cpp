@@ -90,6 +90,23 @@ TEST(SampleLinear, ATexelWithoutWeightAddsNothingEvenIfInfinite) {
   EXPECT_EQ(sample_linear(texture, {}, {.uv = {0.3, 0.5}}), glm::vec4(inf));
 }
 
+TEST(SampleLinear, ManyAtOnceReadNoTexelWithoutWeight) {
+  const float inf = std::numeric_limits<float>::infinity();
+  const std::vector<glm::vec4> texels{glm::vec4(0.25f), glm::vec4(inf), glm::vec4(0.25f), glm::vec4(inf)};
+  const Texture texture = make_linear_texture({2, 2}, texels, Mips::none);
+  SampleBatch batch;
+  batch.wanted = 3;
+  batch.u[0] = batch.v[0] = 0.25;          // the first texel's centre
+  batch.u[1] = 0.25, batch.v[1] = 0.5;     // between two
+  std::array<glm::vec4, kMaxSampleBatch> found;
+  for (const Target target : {Target::scalar, Target::sse4, Target::avx2, Target::avx512}) {
+    if (!can_run(target)) continue;
+    sample_linear(texture, {}, batch, target, found);
+    EXPECT_EQ(found[0], glm::vec4(0.25f)) << name_of(target);
+    EXPECT_EQ(found[1], glm::vec4(0.25f)) << name_of(target);
+  }
+}
+
 TEST(SampleLinear, ResultsHaveOneNanAndOneZero) {
   const std::vector<glm::vec4> texels{{std::bit_cast<float>(0xFFC00001u), -0.0f, 1.0f, 1.0f},
                                       {1.0f, -0.0f, -1.0f, -0.0f}};
