@@ -26,8 +26,7 @@ float least_alpha(double threshold, float full) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   if (std::isnan(threshold)) return std::numeric_limits<float>::quiet_NaN();
   const auto passes = [&](float alpha) { return double{alpha} / double{full} >= threshold; };
-  auto least = float(threshold * full);
-  while (least > -kInfinity && passes(least)) least = std::nextafter(least, -kInfinity);
+  auto least = float(threshold * full);  // none below passes: it would be half a float away, and doubles are finer
   while (!passes(least)) least = std::nextafter(least, kInfinity);
   return least;
 }
