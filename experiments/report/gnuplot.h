@@ -11,7 +11,7 @@ namespace lode::experiments {
 struct PlotSeries {
   std::string title;
   std::vector<double> x, y;              ///< [n]
-  std::vector<std::string> labels = {};  ///< empty, or [n]: points are drawn instead of a line
+  std::vector<std::string> labels = {};  ///< empty, or [n]: points are drawn instead of a line, "" without a label
   bool hollow = false;                   ///< of points
   bool ringed = false;                   ///< of a line: its points are ringed, so that one alone is seen, too
 };

@@ -53,7 +53,9 @@ Frame frame_of(const Plot& plot) {
   if (x.low > x.high) x = {};
   Frame frame{widened(x, 0.03, 0.03), {}, 0.0};
   if (!plot.log_y) {
-    frame.y = widened({std::min(y.low, 0.0), std::max(y.high, 0.0)}, 0.0, 0.05);
+    const bool labels = std::any_of(plot.series.begin(), plot.series.end(),
+                                    [](const PlotSeries& series) { return !series.labels.empty(); });
+    frame.y = widened({std::min(y.low, 0.0), std::max(y.high, 0.0)}, 0.0, labels ? 0.12 : 0.05);
     return frame;
   }
   if (y.low > y.high) y = {1e-3, 1.0};
@@ -86,6 +88,7 @@ std::vector<Label> joined_labels(const Plot& plot, const Frame& frame) {
   std::vector<Label> labels, joined;
   for (const PlotSeries& series : plot.series) {
     for (std::size_t i = 0; i < series.labels.size(); ++i) {
+      if (series.labels[i].empty()) continue;
       const double y = placed(plot, frame, series.y[i]);
       labels.push_back({.text = series.labels[i],
                         .x = series.x[i],
