@@ -94,6 +94,10 @@ class Resolver {
       for (int k = 0; k < 16; ++k) left |= x + (k & 3) < size_.x && y + (k >> 2) < size_.y ? 1u << k : 0u;
     }
     const std::uint32_t* owners = w_.tile->owner + base;
+    if (left == 0xFFFF && !has_ids_ && surfaces_.fill_alone(owners, base)) {
+      w_.stats.fragments_shaded += 16;
+      return;
+    }
     Lanes none = 0;
     for (std::uint32_t k = 0; k < 16; ++k) none |= owners[k] == kNoOwner ? 1u << k : 0u;
     none &= left;

@@ -130,7 +130,10 @@ void SurfaceResolver::keep(KeptSurface& kept, std::uint32_t owner, const Surface
 void SurfaceResolver::fill(const KeptSurface& kept, std::size_t base, std::uint32_t lanes) {
   if (format_ == ColorFormat::rgba8) {
     for_each_lane(lanes, [&](std::size_t k) { std::memcpy(static_cast<void*>(&w_.rgba8[base + k]), &kept.rgba8, 4); });
-  } else if (lanes == 0xFFFF) {
+    return;
+  }
+  one_color_owner_ = kept.owner, one_color_ = kept.rgba32f;
+  if (lanes == 0xFFFF) {
     std::fill_n(w_.rgba32f.begin() + std::ptrdiff_t(base), 16, kept.rgba32f);
   } else {
     for_each_lane(lanes, [&](std::size_t k) { w_.rgba32f[base + k] = kept.rgba32f; });

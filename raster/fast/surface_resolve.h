@@ -1,6 +1,7 @@
 #pragma once
 /// Surfaces of a tile's samples: by whole 4×4s where one triangle owns many of it, else with others of the draw.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -27,6 +28,18 @@ class SurfaceResolver {
   /// Shades the sample of a pixel of the tile, before `finish` ends.
   ///   owner   a kernels' triangle, of a surface without a texture
   void shade_later(std::uint32_t owner, int x_px, int y_px);
+
+  /// Shades a 4×4 of one owner whose surface has one colour and was shaded before; false, with nothing done, if it is
+  /// not such a one. For targets of floats.
+  ///   base   the first sample's place in the tile
+  [[nodiscard]] bool fill_alone(const std::uint32_t* owners, std::size_t base) {
+    if (owners[0] != one_color_owner_ || one_color_owner_ == kNoOwner) return false;
+    std::uint32_t differ = 0;
+    for (std::size_t k = 1; k < 16; ++k) differ |= owners[k] ^ owners[0];
+    if (differ != 0) return false;
+    std::fill_n(w_.rgba32f.begin() + std::ptrdiff_t(base), 16, one_color_);
+    return true;
+  }
 
   void finish();
 
@@ -56,6 +69,8 @@ class SurfaceResolver {
   glm::ivec2 sample_fx8_;
   ColorFormat format_;
   std::array<Batch, 4> batches_;
+  std::uint32_t one_color_owner_ = kNoOwner;  ///< the last one whose surface has one colour, of a target of floats
+  glm::vec4 one_color_{0.0f};
 };
 
 }  // namespace lode::raster::fast
