@@ -58,7 +58,7 @@ Status report(const ReportOptions& options, const Streams& streams) {
   for (const std::string& word : options.sections) sections.push_back(section_of_file(word));
   if (sections.empty()) {
     throw Error(Status::bad_input,
-                options.folder + ": expected the folder of an experiment, as lodestone run makes it");
+                options.folder + ": expected a folder that holds a folder of each experiment, as `lodestone run --out` makes it");
   }
   const std::string out = options.out.empty() ? options.folder + "/report.html" : options.out;
   const std::string page = html_page("Lodestone",

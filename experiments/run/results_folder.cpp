@@ -1,5 +1,10 @@
 #include "experiments/run/results_folder.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 
 #include "experiments/error.h"
@@ -33,20 +38,39 @@ void expect_older_results(const std::string& folder) {
 
 }  // namespace
 
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void FolderLock::take(const std::string& folder) {
+  descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0) fail(folder, "cannot be opened", {errno, std::generic_category()});
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;  // a file system may have no locks
+  throw Error(Status::bad_input, folder + ": another run is writing it: wait for that one, or choose another --out");
+}
+
 ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
   expect_older_results(folder);
   const fs::path path(folder);
+  if (fs::exists(path.parent_path()) && !fs::is_directory(path.parent_path())) {
+    throw Error(Status::bad_input, path.parent_path().string() + ": expected a folder, or nothing yet: choose another --out");
+  }
   hidden_ = (path.parent_path() / ("." + path.filename().string() + ".unfinished")).string();
   std::error_code error;
-  fs::remove_all(hidden_, error);
-  if (error) fail(hidden_, "cannot be removed", error);
-  fs::create_directories(images(), error);
+  fs::create_directories(hidden_, error);
+  if (error) fail(hidden_, "cannot be made", error);
+  lock_.take(hidden_);
+  for (const auto& entry : fs::directory_iterator(hidden_)) {
+    fs::remove_all(entry, error);
+    if (error) fail(entry.path().string(), "cannot be removed", error);
+  }
+  fs::create_directory(images(), error);
   if (error) fail(images(), "cannot be made", error);
 }
 
 ResultsFolder::~ResultsFolder() {
   std::error_code ignored;
-  fs::remove_all(hidden_, ignored);
+  if (!published_) fs::remove_all(hidden_, ignored);
 }
 
 void ResultsFolder::publish(const ExperimentResults& results, const std::string& summary_json) {
@@ -58,6 +82,7 @@ void ResultsFolder::publish(const ExperimentResults& results, const std::string&
   if (error) fail(folder_, "cannot be removed", error);
   fs::rename(hidden_, folder_, error);
   if (error) fail(folder_, "cannot be made", error);
+  published_ = true;
 }
 
 }  // namespace lode::experiments

@@ -8,10 +8,25 @@
 
 namespace lode::experiments {
 
+/// Keeps other processes out of a folder for as long as it and this process live, however that ends.
+class FolderLock {
+ public:
+  FolderLock() = default;
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  /// Throws Error (bad_input) if another lock holds the folder.
+  void take(const std::string& folder);
+
+ private:
+  int descriptor_ = -1;
+};
+
 class ResultsFolder {
  public:
   /// `folder` is DIR/EXPERIMENT. Makes the hidden one, empty but for images/. Throws Error (bad_input, machine_failed),
-  /// also if what is there is not what `publish` writes.
+  /// also if what is there is not what `publish` writes, and if another one of this folder is alive.
   explicit ResultsFolder(const std::string& folder);
   /// What was not published is gone.
   ~ResultsFolder();
@@ -25,6 +40,8 @@ class ResultsFolder {
 
  private:
   std::string folder_, hidden_;
+  FolderLock lock_;  ///< Of the hidden one
+  bool published_ = false;
 };
 
 }  // namespace lode::experiments

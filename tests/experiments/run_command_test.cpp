@@ -79,5 +79,34 @@ TEST(ResultsFolder, IsNotPutInThePlaceOfOtherFiles) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/file")));
 }
 
+TEST(ResultsFolder, IsWrittenByOneRunAtATime) {
+  const TemporaryFolder folder;
+  const std::string at = folder.path("out/experiment");
+  ResultsFolder first(at);
+  folder.write("out/.experiment.unfinished/images/picture.png", "of the first run");
+  try {
+    const ResultsFolder second(at);
+    ADD_FAILURE() << "two runs write one folder";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("another run is writing it"));
+  }
+  first.publish({}, "{}\n");
+  EXPECT_TRUE(std::filesystem::exists(at + "/images/picture.png"));
+  ResultsFolder third(at);  // the first one is done, though still there
+  third.publish({}, "{}\n");
+  EXPECT_FALSE(std::filesystem::exists(at + "/images/picture.png"));
+}
+
+TEST(ResultsFolder, StandsInAFolder) {
+  const TemporaryFolder folder;
+  folder.write("out", "a file");
+  try {
+    const ResultsFolder refused(folder.path("out/experiment"));
+    ADD_FAILURE() << "made in a file";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("expected a folder, or nothing yet"));
+  }
+}
+
 }  // namespace
 }  // namespace lode::tests

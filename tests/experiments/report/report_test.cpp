@@ -137,7 +137,7 @@ TEST(Report, OfNothingIsRefusedInOneLine) {
   const TemporaryFolder folder;
   const auto run = run_lodestone({"report", folder.path()});
   EXPECT_EQ(run.status, 3);
-  EXPECT_THAT(run.err, HasSubstr("expected the folder of an experiment"));
+  EXPECT_THAT(run.err, HasSubstr("expected a folder that holds a folder of each experiment"));
   folder.write("convex_culling/summary.json", "{");
   EXPECT_THAT(run_lodestone({"report", folder.path()}).err,
               HasSubstr("expected the summary that lodestone run writes"));
