@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "experiments/error.h"
 #include "experiments/option_values.h"
@@ -75,7 +76,14 @@ void read_parameter(std::string_view where, std::span<const Parameter> known, st
 ParameterValues read_parameters(std::string_view where, std::span<const Parameter> known, std::string_view text) {
   ParameterValues values = default_values(known);
   if (text.empty()) return values;
-  for (const std::string_view word : split(text, ',')) read_parameter(where, known, word, values);
+  std::set<std::string_view> given;
+  for (const std::string_view word : split(text, ',')) {
+    read_parameter(where, known, word, values);
+    const std::string_view name = word.substr(0, word.find('='));
+    if (!given.insert(name).second) {
+      throw Error(Status::bad_input, std::string(where) + ": " + std::string(name) + ": expected once, found twice");
+    }
+  }
   return values;
 }
 

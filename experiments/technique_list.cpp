@@ -181,11 +181,12 @@ AnyTechnique make_predicted_reuse(const ParameterValues& v) {
 
 std::vector<Parameter> mesh_lod_parameters() {
   const techniques::MeshLod::Params p;
-  return {{"pixels", "error of a level on the screen, less than; 0: all at level 0", 0, 1e9, p.pixels},
-          {"level", "1 to 3: that level everywhere; 0: by the error", 0, techniques::kMeshLevels, double(p.level), true},
-          {"share1", "of a mesh's triangles that level 1 keeps", 0, 1, p.shares[0]},
-          {"share2", "likewise level 2", 0, 1, p.shares[1]},
-          {"share3", "likewise level 3", 0, 1, p.shares[2]}};
+  return {
+      {"pixels", "error of a level on the screen, less than; 0: all at level 0", 0, 1e9, p.pixels},
+      {"level", "1 to 3: that level everywhere; 0: by the error", 0, techniques::kMeshLevels, double(p.level), true},
+      {"share1", "of a mesh's triangles that level 1 keeps", 0, 1, p.shares[0]},
+      {"share2", "likewise level 2", 0, 1, p.shares[1]},
+      {"share3", "likewise level 3", 0, 1, p.shares[2]}};
 }
 
 AnyTechnique make_mesh_lod(const ParameterValues& v) {
@@ -202,6 +203,12 @@ std::vector<Parameter> with_near_parameters(std::vector<Parameter> parameters) {
   return parameters;
 }
 
+/// The memory of pictures that are taken beforehand.
+Parameter baked_memory(std::uint64_t most_bytes) {
+  return {"memory", "MiB of pictures at most, what finds no room is drawn; 0: no limit", 0, 1e6,
+          double(most_bytes) * 0x1p-20};
+}
+
 techniques::FarRule far_rule(const ParameterValues& v) {
   return {.radii = v.at("near_radii"), .distance = v.at("near")};
 }
@@ -209,12 +216,15 @@ techniques::FarRule far_rule(const ParameterValues& v) {
 std::vector<Parameter> twelve_views_parameters() {
   const techniques::TwelveViews::Params p;
   return with_near_parameters({{"elevation", "from which pictures look down, degrees", 0, 60, p.elevation_deg},
-                               {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true}});
+                               {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true},
+                               baked_memory(p.most_bytes)});
 }
 
 AnyTechnique make_twelve_views(const ParameterValues& v) {
-  return AnyTechnique(
-      techniques::TwelveViews({.elevation_deg = v.at("elevation"), .texels = int(v.at("texels")), .far = far_rule(v)}));
+  return AnyTechnique(techniques::TwelveViews({.elevation_deg = v.at("elevation"),
+                                               .texels = int(v.at("texels")),
+                                               .far = far_rule(v),
+                                               .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
 }
 
 std::vector<Parameter> octahedral_impostors_parameters() {
@@ -222,7 +232,8 @@ std::vector<Parameter> octahedral_impostors_parameters() {
   return with_near_parameters({{"grid", "directions along a side of the grid", 2, 32, double(p.grid), true},
                                {"texels", "of a picture's longer side", 1, 1024, double(p.texels), true},
                                choice_parameter("blend", "which pictures are mixed", {"three", "nearest"}, 0),
-                               choice_parameter("parallax", "read at the height that was captured", {"off", "on"}, 1)});
+                               choice_parameter("parallax", "read at the height that was captured", {"off", "on"}, 1),
+                               baked_memory(p.most_bytes)});
 }
 
 AnyTechnique make_octahedral_impostors(const ParameterValues& v) {
@@ -230,7 +241,8 @@ AnyTechnique make_octahedral_impostors(const ParameterValues& v) {
                                                        .texels = int(v.at("texels")),
                                                        .blend = techniques::ViewBlend(int(v.at("blend"))),
                                                        .parallax = v.at("parallax") == 1.0,
-                                                       .far = far_rule(v)}));
+                                                       .far = far_rule(v),
+                                                       .most_bytes = std::uint64_t(v.at("memory") * 0x1p20)}));
 }
 
 std::vector<TechniqueEntry> make_list() {

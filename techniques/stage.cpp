@@ -63,10 +63,7 @@ const char* name_of(Promise promise) {
 }
 
 Stage::Stage(const World& world, const raster::RenderOptions& options)
-    : world_(world),
-      options_(options),
-      cutout_(cut_out_shader(kEveryPixel)),
-      drawn_(world.objects().size(), 0) {
+    : world_(world), options_(options), cutout_(cut_out_shader(kEveryPixel)), drawn_(world.objects().size(), 0) {
   options_.memory = &memory_;
   options_.per_draw = {};
   options_.on_tile = {};
@@ -157,7 +154,8 @@ PictureId Stage::capture_covered(std::span<const ObjectId> objects, const View& 
 raster::Image Stage::drawn_alone(std::span<const ObjectId> objects, const View& view, const raster::Rect& window_px,
                                  const glm::vec4& background) const {
   if (world_.color_space() == ColorSpace::raw) {
-    throw raster::Error(raster::ErrorKind::bad_input, "a captured picture: expected linear colours (srgb), found raw");
+    throw raster::Error(raster::ErrorKind::bad_input,
+                        "pictures of objects: expected linear colours (color space srgb), found raw ones");
   }
   const glm::dmat4 clip_from_world = geometry::clip_from_world(view.camera, view.size_px);
   std::vector<raster::Draw> draws;
@@ -264,8 +262,8 @@ raster::Draw Stage::plate_draw(std::size_t i, const glm::dmat4& clip_from_world)
   const ShownPlate& plate = plates_[i];
   raster::Draw draw = picture_draw(plate.object, plate.picture, plate.edge, plate.pixels);
   draw.topology = raster::Topology::quads;
-  draw.vertices = raster::ObjectVertices{plate_corners_[i],
-                                         clip_from_world * world_from(centre_of(plate.corners_world))};
+  draw.vertices =
+      raster::ObjectVertices{plate_corners_[i], clip_from_world * world_from(centre_of(plate.corners_world))};
   draw.uvs = kPlateUvs;
   return draw;
 }

@@ -30,7 +30,9 @@ std::string KeptResults::path_of(std::string_view key) const { return folder_ + 
 
 std::optional<std::string> KeptResults::find(std::string_view key) const {
   if (folder_.empty()) return std::nullopt;
-  const std::string all = file_bytes(path_of(key)).value_or("");
+  const std::string path = path_of(key);
+  if (std::error_code error; !std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  const std::string all = file_bytes(path).value_or("");
   const std::size_t begin = kMagic.size() + kHashLength, value = begin + key.size() + 1;
   if (all.size() < value || !all.starts_with(kMagic)) return std::nullopt;
   const std::string_view body = std::string_view(all).substr(begin);

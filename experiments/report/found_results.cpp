@@ -54,6 +54,16 @@ std::string count_text(const json& count) {
   return std::to_string(count.get<std::uint64_t>());
 }
 
+/// The rows of a file beside the summary, as many as that says.
+std::vector<Row> rows_beside(const std::string& path, const json& count) {
+  std::vector<Row> rows = rows_of_csv(path, text_of_file(path));
+  if (std::to_string(rows.size()) != count_text(count)) {
+    throw Error(Status::bad_input, path + ": expected " + count_text(count) + " rows, as the summary says, found " +
+                                       std::to_string(rows.size()));
+  }
+  return rows;
+}
+
 std::string machine_text(const json& m) {
   return m.at("processor").get<std::string>() + ", " + count_text(m.at("processors")) + " processors, " +
          count_text(m.at("threads")) + " threads, " + m.at("target").get<std::string>() + ", " +
@@ -94,11 +104,11 @@ FoundResults read_results(const std::string& folder) {
     if (!rows_of(summary.at("summary").dump(), found.summary)) {
       throw Error(Status::bad_input, path + ": summary: expected rows of numbers and words");
     }
+    found.results = rows_beside(folder + "/results.csv", summary.at("rows").at("results"));
+    found.times = rows_beside(folder + "/times.csv", summary.at("rows").at("times"));
   } catch (const json::exception&) {
     throw Error(Status::bad_input, path + ": expected the summary that lodestone run writes");
   }
-  found.results = rows_of_csv(folder + "/results.csv", text_of_file(folder + "/results.csv"));
-  found.times = rows_of_csv(folder + "/times.csv", text_of_file(folder + "/times.csv"));
   found.images = folder + "/images";
   return found;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include "experiments/error.h"
 #include "experiments/file_bytes.h"
 
 namespace lode::experiments {
@@ -64,8 +65,15 @@ constexpr const char* kScript = R"(
   }
 )";
 
+/// Whether all of a PNG file is there, from its signature to its last chunk (PNG specification, 5.2 and 11.2.5).
+bool is_whole_png(std::string_view bytes) {
+  return bytes.starts_with("\x89PNG\r\n\x1A\n") && bytes.ends_with("IEND\xAE\x42\x60\x82");
+}
+
+/// Nothing if there is no such file. Throws Error (bad_input) if it is no picture.
 std::string source_of(const std::string& file) {
   const std::string bytes = file_bytes(file).value_or("");
+  if (!bytes.empty() && !is_whole_png(bytes)) throw Error(Status::bad_input, file + ": expected a whole PNG file");
   return bytes.empty() ? std::string() : "data:image/png;base64," + base64(bytes);
 }
 

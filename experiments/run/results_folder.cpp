@@ -36,6 +36,16 @@ void expect_older_results(const std::string& folder) {
   }
 }
 
+/// A folder, or nothing yet in one.
+void expect_room_for_a_folder(const fs::path& path) {
+  std::error_code error;
+  fs::path there = path;
+  while (there.has_relative_path() && !fs::exists(fs::status(there, error))) there = there.parent_path();
+  if (!there.empty() && !fs::is_directory(there, error)) {
+    throw Error(Status::bad_input, there.string() + ": expected a folder, or nothing yet: choose another --out");
+  }
+}
+
 }  // namespace
 
 FolderLock::~FolderLock() {
@@ -52,9 +62,7 @@ void FolderLock::take(const std::string& folder) {
 ResultsFolder::ResultsFolder(const std::string& folder) : folder_(folder) {
   expect_older_results(folder);
   const fs::path path(folder);
-  if (fs::exists(path.parent_path()) && !fs::is_directory(path.parent_path())) {
-    throw Error(Status::bad_input, path.parent_path().string() + ": expected a folder, or nothing yet: choose another --out");
-  }
+  expect_room_for_a_folder(path.parent_path());
   hidden_ = (path.parent_path() / ("." + path.filename().string() + ".unfinished")).string();
   std::error_code error;
   fs::create_directories(hidden_, error);

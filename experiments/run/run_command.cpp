@@ -81,6 +81,7 @@ std::string summary_json(const Experiment& experiment, const ExperimentRun& run,
                                {"compiler", machine.compiler},
                                {"build", machine.build}}},
                              {"command", command},
+                             {"rows", {{"results", results.results.size()}, {"times", results.times.size()}}},
                              {"summary", rows_as_json(results.summary)}};
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -99,6 +100,11 @@ void run_one(const Experiment& experiment, ExperimentRun run, const RunOptions& 
   ResultsFolder folder(options.out + "/" + experiment.name);
   run.images = folder.images();
   ExperimentResults results = experiment.run(run);
+  if (results.results.empty()) {
+    throw Error(Status::bad_input,
+                std::string(experiment.name) +
+                    ": nothing was looked at, and nothing is written: expected some frames or views");
+  }
   add_machine(run.common, results.times);
   folder.publish(results, summary_json(experiment, run, results));
   run.streams.out << options.out << "/" << experiment.name << ": " << results.results.size() << " rows\n";

@@ -54,19 +54,22 @@ void OctahedralImpostors::prepare(Stage& stage) {
   }
 }
 
-/// Whether the object has an extent from everywhere.
+/// Whether the object has an extent from everywhere, and its pictures have room.
 bool OctahedralImpostors::take(ObjectId id, Stage& stage) {
   std::vector<ParallelPicture> wanted;
+  std::uint64_t bytes = 0;
   for (int k = 0; k < params_.grid * params_.grid; ++k) {
     const glm::dvec3 direction = grid_direction({k % params_.grid, k / params_.grid}, params_.grid);
     const auto picture = parallel_picture(stage.world().objects()[id].bounds, direction, params_.texels);
     if (!picture) return false;
     wanted.push_back(*picture);
+    bytes += captured_bytes(picture->size_px);
   }
+  if (params_.most_bytes > 0 && picture_bytes_ + bytes > params_.most_bytes) return false;
   for (const ParallelPicture& picture : wanted) {
     pictures_[id].push_back(stage.capture({&id, 1}, picture.camera, picture.size_px));
-    picture_bytes_ += captured_bytes(picture.size_px);
   }
+  picture_bytes_ += bytes;
   return true;
 }
 

@@ -26,6 +26,7 @@ class OctahedralImpostors {
     ViewBlend blend = ViewBlend::three;
     bool parallax = true;  ///< pictures are read at the height that their depth has: one step
     FarRule far{};
+    std::uint64_t most_bytes = std::uint64_t{4} << 30;  ///< of all pictures; whose do not fit is drawn. 0: any
   };
 
   OctahedralImpostors() : OctahedralImpostors(Params{}) {}
@@ -35,9 +36,9 @@ class OctahedralImpostors {
   /// Takes the pictures. Throws raster::Error (bad_input if the world's colours are raw; out_of_memory).
   void prepare(Stage& stage);
   void cut() {}
-  /// Counters: objects_in_view, near (drawn since they are), unfit (drawn since they have no size, reach the near
-  /// plane, or have their middle beyond the far one), shown, blended (pictures that plates were mixed from),
-  /// picture_bytes.
+  /// Counters: objects_in_view, near (drawn since they are), unfit (drawn since they have no size or no room for
+  /// pictures, reach the near plane, or have their middle beyond the far one), shown, blended (pictures that plates
+  /// were mixed from), picture_bytes.
   Counters draw(const View& view, Stage& stage);
 
  private:
@@ -45,7 +46,7 @@ class OctahedralImpostors {
   void show(const View& view, ObjectId id, Stage& stage);
 
   Params params_;
-  std::vector<std::vector<PictureId>> pictures_;  ///< [objects][grid²], row by row; none of those without size
+  std::vector<std::vector<PictureId>> pictures_;  ///< [objects][grid²], row by row; none of those without size or room
   std::uint64_t picture_bytes_ = 0, blended_ = 0;
 };
 

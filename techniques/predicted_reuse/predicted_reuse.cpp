@@ -48,11 +48,17 @@ Counters PredictedReuse::draw(const View& view, Stage& stage) {
     const auto timer = stage.time("capture");
     for (const Wanted& wanted : wanted_) capture(view, wanted, stage);
   }
-  return {{"objects_in_view", in_view.size()}, {"near", work_.near},
-          {"reused", work_.reused},            {"captured", work_.captured},
-          {"late", work_.late},                {"unfit", work_.unfit},
-          {"faded", work_.faded},              {"evicted", pictures_.evicted()},
-          {"picture_bytes", pictures_.bytes()}, {"relief_triangles", work_.relief_triangles}};
+  return {{"objects_in_view", in_view.size()},
+          {"near", work_.near},
+          {"reused", work_.reused},
+          {"captured", work_.captured},
+          {"late", work_.late},
+          {"postponed", work_.postponed},
+          {"unfit", work_.unfit},
+          {"faded", work_.faded},
+          {"evicted", pictures_.evicted()},
+          {"picture_bytes", pictures_.bytes()},
+          {"relief_triangles", work_.relief_triangles}};
 }
 
 /// Draws the object, shows its picture, or puts it among those that want a new one.
@@ -69,7 +75,7 @@ void PredictedReuse::look_at(const View& view, ObjectId id, Stage& stage) {
     error_px = predicted_error_px(view, box, poses_[id].eye, poses_[id].pixel);
     if (error_px < params_.error_px) {
       ++work_.reused;
-      return show(id, stage);
+      return show(view, id, stage);
     }
   }
   const std::optional<raster::Rect> window_px = plane_is_seen ? capture_window(view, box) : std::nullopt;
@@ -84,11 +90,11 @@ void PredictedReuse::look_at(const View& view, ObjectId id, Stage& stage) {
 void PredictedReuse::capture(const View& view, const Wanted& wanted, Stage& stage) {
   const ObjectId id = wanted.object;
   if (params_.most_captures > 0 && work_.captured == std::uint64_t(params_.most_captures)) {
-    if (!pictures_.find(id)) return stage.object(id);
-    ++work_.late;
-    return show(id, stage);
+    const bool has_picture = pictures_.find(id).has_value();
+    ++(has_picture ? work_.late : work_.postponed);
+    return has_picture ? show(view, id, stage) : stage.object(id);
   }
-  retire(id, stage);
+  retire(view, id, stage);
   const std::uint64_t bytes =
       captured_bytes(wanted.window_px.size_px) + most_relief_bytes(wanted.window_px.size_px, params_.cell_px);
   if (!pictures_.make_room(bytes, stage)) {
@@ -100,36 +106,46 @@ void PredictedReuse::capture(const View& view, const Wanted& wanted, Stage& stag
   const PictureId picture = stage.capture_covered(alone, view, wanted.window_px);
   const raster::Rect window_px = stage.picture(picture).window_px();
   const PlateSides sides = plate_sides(view, centre, window_px, PlatePlacement::corrected);
-  pictures_.keep(id, picture, captured_bytes(window_px.size_px) + most_relief_bytes(window_px.size_px, params_.cell_px));
+  pictures_.keep(id, picture,
+                 captured_bytes(window_px.size_px) + most_relief_bytes(window_px.size_px, params_.cell_px));
   poses_[id] = {.eye = view.camera.eye, .pixel = sides.pixel, .corners_world = plate_corners(view, centre, sides)};
   if (params_.cell_px > 0) {
     poses_[id].relief =
         std::make_shared<const PictureRelief>(make_relief(stage.picture(picture), centre, params_.cell_px));
   }
   ++work_.captured;
-  show(id, stage);
+  show(view, id, stage);
 }
 
-void PredictedReuse::retire(ObjectId id, Stage& stage) {
+bool PredictedReuse::may_fade(const View& view, ObjectId id, Stage& stage) const {
+  const Fading& fading = fading_[id];
+  if (!pictures_.find(old_place(id)) || fading.last_seen + 1 != frame_) return false;
+  const double error_px =
+      predicted_error_px(view, stage.world().objects()[id].bounds, fading.pose.eye, fading.pose.pixel);
+  return error_px <= kMostFadingErrors * params_.error_px;
+}
+
+void PredictedReuse::retire(const View& view, ObjectId id, Stage& stage) {
+  if (may_fade(view, id, stage)) return pictures_.drop(id, stage);  // the fade goes on, to the newest picture
   pictures_.drop(old_place(id), stage);
   if (params_.fade_frames == 0 || !pictures_.find(id)) return pictures_.drop(id, stage);
   pictures_.move(id, old_place(id));
   fading_[id] = {.pose = std::move(poses_[id]), .last_seen = frame_ - 1};
 }
 
-void PredictedReuse::show(ObjectId id, Stage& stage) {
+void PredictedReuse::show(const View& view, ObjectId id, Stage& stage) {
   std::uint16_t pixels = kEveryPixel;
-  if (pictures_.find(old_place(id))) {
+  if (may_fade(view, id, stage)) {
     Fading& fading = fading_[id];
-    const bool seen_in_between = std::exchange(fading.last_seen, frame_) + 1 == frame_;
-    if (seen_in_between) pixels = dithered_pixels(16 * ++fading.step / (params_.fade_frames + 1));
-    if (pixels == kEveryPixel) {
-      pictures_.drop(old_place(id), stage);
-    } else {
+    fading.last_seen = frame_;
+    const int frames = params_.fade_frames + 1;
+    pixels = dithered_pixels((16 * ++fading.step + frames - 1) / frames);
+    if (pixels != kEveryPixel) {
       ++work_.faded;
       show(id, old_place(id), fading.pose, std::uint16_t(~pixels), stage);
     }
   }
+  if (pixels == kEveryPixel) pictures_.drop(old_place(id), stage);
   show(id, id, poses_[id], pixels, stage);
 }
 

@@ -46,19 +46,22 @@ void TwelveViews::prepare(Stage& stage) {
 
 std::optional<TwelveViews::Views> TwelveViews::take(ObjectId id, Stage& stage) {
   std::array<std::optional<ParallelPicture>, kTwelve> wanted;
+  std::uint64_t bytes = 0;
   for (int k = 0; k < kTwelve; ++k) {
     const glm::dvec3 direction = twelve_views_direction(k, params_.elevation_deg);
     wanted[std::size_t(k)] = parallel_picture(stage.world().objects()[id].bounds, direction, params_.texels);
     if (!wanted[std::size_t(k)]) return std::nullopt;
+    bytes += captured_bytes(wanted[std::size_t(k)]->size_px);
   }
+  if (params_.most_bytes > 0 && picture_bytes_ + bytes > params_.most_bytes) return std::nullopt;
   Views views;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const ParallelPicture& picture = *wanted[k];
     views.plates[k] = {.picture = stage.capture({&id, 1}, picture.camera, picture.size_px),
                        .corners = upright_corners(picture)};
     views.reach = std::max(views.reach, glm::length(views.plates[k].corners[0]));
-    picture_bytes_ += captured_bytes(picture.size_px);
   }
+  picture_bytes_ += bytes;
   return views;
 }
 

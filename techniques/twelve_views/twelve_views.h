@@ -30,6 +30,7 @@ class TwelveViews {
     double elevation_deg = 10.0;  ///< from which the pictures look down, 0…60
     int texels = 128;             ///< of a picture's longer side, 1…1024
     FarRule far{};
+    std::uint64_t most_bytes = std::uint64_t{4} << 30;  ///< of all pictures; whose do not fit is drawn. 0: any
   };
 
   TwelveViews() : TwelveViews(Params{}) {}
@@ -39,8 +40,8 @@ class TwelveViews {
   /// Takes the pictures. Throws raster::Error (bad_input if the world's colours are raw; out_of_memory).
   void prepare(Stage& stage);
   void cut() {}
-  /// Counters: objects_in_view, near (drawn since they are), unfit (drawn since they have no size, or reach the near
-  /// plane), shown, picture_bytes.
+  /// Counters: objects_in_view, near (drawn since they are), unfit (drawn since they have no size or no room for
+  /// pictures, or reach the near plane), shown, picture_bytes.
   Counters draw(const View& view, Stage& stage);
 
  private:
@@ -57,7 +58,7 @@ class TwelveViews {
   [[nodiscard]] std::optional<Views> take(ObjectId id, Stage& stage);
 
   Params params_;
-  std::vector<std::optional<Views>> views_;  ///< [objects] nothing of those without size
+  std::vector<std::optional<Views>> views_;  ///< [objects] nothing of those without size or room
   std::uint64_t picture_bytes_ = 0;
 };
 

@@ -201,6 +201,7 @@ TEST(Render, OptionsOutOfRangeAreWrongUsage) {
   expect_wrong_usage({"cube", "--shading", "phong"}, "--shading: expected material, lambert or unlit, found \"phong\"");
   expect_wrong_usage({"cube", "--color-space", "linear"}, "--color-space: expected srgb or raw, found \"linear\"");
   expect_wrong_usage({"cube", "--technique", "surfels"}, "--technique: expected plain");
+  expect_bad_input({"cube", "--technique", "predicted_reuse:fade=3,fade=4"}, "fade: expected once, found twice");
   expect_bad_input({"cube", "--technique", "plain:k=1"}, "\"k=1\": expected nothing, as there are no parameters");
   for (const char* n : {"0", "-3", "1000001", "x"}) expect_wrong_usage({"cube", "--repeat", n}, "--repeat: expected");
   expect_wrong_usage({"cube", "--orbit", "fast"}, "--orbit: expected a number");

@@ -36,6 +36,15 @@ TEST(Run, RefusesWhatItDoesNotKnowInOneLine) {
   EXPECT_EQ(run_lodestone({"run", "convex_culling", "--set", "viewpoints=0.5"}).status, 3);
 }
 
+TEST(Run, OfNothingWritesNothing) {
+  const TemporaryFolder folder;
+  const auto run = run_lodestone(
+      {"run", "image_reuse", "--set", "scene=houses24", "--set", "frames=0", "--out", folder.path("out")});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("image_reuse: nothing was looked at, and nothing is written"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out/image_reuse")));
+}
+
 TEST(Run, IsListed) {
   const auto list = run_lodestone({"list", "experiments"});
   for (const Experiment& experiment : experiment_list()) EXPECT_THAT(list.out, HasSubstr(experiment.name));
@@ -104,8 +113,9 @@ TEST(ResultsFolder, StandsInAFolder) {
     const ResultsFolder refused(folder.path("out/experiment"));
     ADD_FAILURE() << "made in a file";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("expected a folder, or nothing yet"));
+    EXPECT_THAT(error.what(), HasSubstr("out: expected a folder, or nothing yet"));
   }
+  EXPECT_THROW(ResultsFolder(folder.path("out/deeper/experiment")), Error);
 }
 
 }  // namespace

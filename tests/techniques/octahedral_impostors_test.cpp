@@ -231,6 +231,19 @@ TEST(OctahedralImpostors, ShadeTheSameOnAnyNumberOfThreadsAndByBothPipelines) {
   EXPECT_EQ(ids_seen(images[0]), 5u);
 }
 
+TEST(OctahedralImpostors, LeaveWhatFindsNoRoomAsItIs) {
+  const geometry::Scene scene = row_of_balls();
+  const World world(scene, {}, false);
+  const View view = view_from(around(0.0, 60.0));
+  Showing all(world, OctahedralImpostors({.grid = 3, .texels = 16}));
+  const std::uint64_t each = all.picture(view).count("picture_bytes") / 5;
+  Showing two(world, OctahedralImpostors({.grid = 3, .texels = 16, .most_bytes = 2 * each}));
+  const TechniquePicture picture = two.picture(view);
+  EXPECT_EQ(picture.count("shown"), 2u);
+  EXPECT_EQ(picture.count("unfit"), 3u);
+  EXPECT_EQ(picture.count("picture_bytes"), 2 * each);
+}
+
 TEST(OctahedralImpostors, CountEveryByteOfTheirPictures) {
   const geometry::Scene scene = row_of_balls();
   const World world(scene, {}, false);

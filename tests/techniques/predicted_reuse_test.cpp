@@ -1,4 +1,5 @@
-// Pictures that stay where they were taken and are taken anew by predicted error (techniques/predicted_reuse/README.md).
+// Pictures that stay where they were taken and are taken anew by predicted error
+// (techniques/predicted_reuse/README.md).
 #include "techniques/predicted_reuse/predicted_reuse.h"
 
 #include <gtest/gtest.h>
@@ -128,8 +129,8 @@ TEST(PredictedReuse, PredictsTheParallaxAndTheGrowth) {
   EXPECT_EQ(predicted_error_px(view, box, {0, 0, 100}, pixel), 0.0);
   EXPECT_EQ(predicted_error_px(view, box, {0, 0, 70}, 0.7 * pixel), 0.0);  // pixels that have shrunk
   EXPECT_NEAR(predicted_error_px(view, box, {0, 0, 150}, 1.5 * pixel), 0.25, 1e-9);
-  EXPECT_NEAR(predicted_error_px(view, box, around(5.0, 100.0, 0.0), pixel), 3.0 * std::sin(5 * geometry::kPi / 180) / pixel,
-              1e-9);
+  EXPECT_NEAR(predicted_error_px(view, box, around(5.0, 100.0, 0.0), pixel),
+              3.0 * std::sin(5 * geometry::kPi / 180) / pixel, 1e-9);
   EXPECT_GT(predicted_error_px(view, box, {0, 0, -100}, pixel), 2.9 / pixel);  // from behind
   EXPECT_GT(predicted_error_px(view, box, {0, 0, 0}, pixel), 1e100);           // taken in the centre
 }
@@ -166,8 +167,8 @@ TEST(PredictedReuse, TakesTheWorstFirstAndNoMoreThanItMay) {
   EXPECT_EQ(walk["late"], 3u);
 }
 
-// A front with steps of 4 units: what is nearer than the plate's plane moves one way, what is behind it the other. (Of a
-// ball a plate has the right outline from everywhere, and a relief lacks what the first eye did not see.)
+// A front with steps of 4 units: what is nearer than the plate's plane moves one way, what is behind it the other. (Of
+// a ball a plate has the right outline from everywhere, and a relief lacks what the first eye did not see.)
 TEST(PredictedReuse, AReliefIsCloserToTheTruthThanAPlate) {
   geometry::Mesh steps;
   for (int k = 0; k < 6; ++k) {
@@ -263,9 +264,10 @@ Scene one_ball() {
 
 TEST(CrossFade, EachPixelIsTheOldPicturesOrTheNewOnes) {
   const Scene scene = one_ball();
-  Walk fading(scene, {.most_captures = 0, .cell_px = 0, .fade_frames = 3}), at_once(scene, {.cell_px = 0}),
-      never(scene, {.error_px = 1e9, .cell_px = 0});
-  const View before = view_from(around(0.0, 60.0)), after = view_from(around(40.0, 60.0));
+  // The ball reaches 3 from its middle, and 20° of that are 4.1 px.
+  Walk fading(scene, {.error_px = 2.0, .most_captures = 0, .cell_px = 0, .fade_frames = 3}),
+      at_once(scene, {.error_px = 2.0, .cell_px = 0}), never(scene, {.error_px = 1e9, .cell_px = 0});
+  const View before = view_from(around(0.0, 60.0)), after = view_from(around(20.0, 60.0));
   for (Walk* walk : {&fading, &at_once, &never}) walk->step(before);
   const raster::Image of_new = at_once.step(after), of_old = never.step(after);
   ASSERT_GT(squared_error(of_new, of_old), 0.0);
@@ -291,6 +293,56 @@ TEST(CrossFade, AnOldPictureDoesNotComeBackAfterAGap) {
   EXPECT_EQ(fading.step(after).rgba32f, at_once.step(after).rgba32f);
   EXPECT_EQ(fading["faded"], 0u);
   EXPECT_EQ(fading["picture_bytes"], at_once["picture_bytes"]);
+}
+
+TEST(CrossFade, AnOldPictureThatIsFarOffGoesAtOnce) {
+  const Scene scene = one_ball();
+  Walk fading(scene, {.most_captures = 0, .fade_frames = 9}), at_once(scene, {.most_captures = 0});
+  for (const double angle_deg : {0.0, 120.0, 240.0, 150.0}) {
+    const View view = view_from(around(angle_deg, 60.0));
+    const raster::Image expected = at_once.step(view);
+    EXPECT_EQ(fading.step(view).rgba32f, expected.rgba32f) << angle_deg;
+    EXPECT_EQ(fading["faded"], 0u) << angle_deg;
+  }
+}
+
+TEST(CrossFade, EndsThoughPicturesAreTakenInEveryFrame) {
+  const Scene scene = one_ball();
+  // Each step of 4° is 0.84 px: a picture a frame; after two of them the old one is 1.7 px off, less than thrice 0.75
+  // px.
+  Walk walk(scene, {.error_px = 0.75, .most_captures = 0, .cell_px = 0, .fade_frames = 1});
+  std::vector<std::uint64_t> faded;
+  for (int k = 0; k < 5; ++k) {
+    walk.step(view_from(around(4.0 * k, 60.0)));
+    EXPECT_EQ(walk["captured"], 1u) << k;
+    faded.push_back(walk["faded"]);
+  }
+  // A fade, one frame in which it is over, and so on.
+  EXPECT_EQ(faded, (std::vector<std::uint64_t>{0, 1, 0, 1, 0}));
+}
+
+TEST(CrossFade, TheNewPictureIsSeenFromItsFirstFrameOn) {
+  const Scene scene = one_ball();
+  Walk fading(scene, {.error_px = 2.0, .most_captures = 0, .cell_px = 0, .fade_frames = 1000}),
+      never(scene, {.error_px = 1e9, .cell_px = 0});
+  const View before = view_from(around(0.0, 60.0)), after = view_from(around(20.0, 60.0));
+  for (Walk* walk : {&fading, &never}) walk->step(before);
+  EXPECT_NE(fading.step(after).rgba32f, never.step(after).rgba32f);
+}
+
+TEST(PredictedReuse, CountsEveryObjectInViewOnce) {
+  const Scene scene = row_of_balls();
+  Walk walk(scene, {.most_captures = 1});
+  std::uint64_t most_postponed = 0, most_late = 0;
+  for (int k = 0; k < 8; ++k) {
+    walk.step(view_from(around(30.0 * k, 60.0)));
+    const std::uint64_t sum =
+        walk["near"] + walk["reused"] + walk["captured"] + walk["late"] + walk["postponed"] + walk["unfit"];
+    EXPECT_EQ(sum, walk["objects_in_view"]) << k;
+    most_postponed = std::max(most_postponed, walk["postponed"]), most_late = std::max(most_late, walk["late"]);
+  }
+  EXPECT_EQ(most_postponed, 4u);
+  EXPECT_EQ(most_late, 4u);
 }
 
 TEST(CrossFade, KeepsTheLimitOfMemory) {

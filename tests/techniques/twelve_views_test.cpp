@@ -164,6 +164,20 @@ TEST(TwelveViews, CountsEveryByteOfItsPictures) {
   }
 }
 
+TEST(TwelveViews, DrawsWhatFindsNoRoom) {
+  const geometry::Scene scene = row_of_balls();
+  const World world(scene, {}, false);
+  const View view = view_from(around(0.0, 60.0));
+  Showing all(world, TwelveViews({.texels = 32}));
+  const std::uint64_t each = all.picture(view).count("picture_bytes") / 5;
+  Showing three(world, TwelveViews({.texels = 32, .most_bytes = 4 * each - 1}));
+  const TechniquePicture picture = three.picture(view);
+  EXPECT_EQ(picture.count("shown"), 3u);
+  EXPECT_EQ(picture.count("unfit"), 2u);
+  EXPECT_EQ(picture.count("picture_bytes"), 3 * each);
+  EXPECT_EQ(picture.drawn, (std::vector<bool>{false, false, false, true, true}));
+}
+
 TEST(TwelveViews, ShowsSomethingOfEveryObjectWithOneTexel) {
   const geometry::Scene scene = row_of_balls();
   const World world(scene, {}, false);

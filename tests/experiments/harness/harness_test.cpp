@@ -1,5 +1,6 @@
 // The laboratory's floor: rows, what is kept from run to run, and what a culling case says of a technique.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -51,6 +52,9 @@ TEST(KeptResults, AreMadeOnceAndAgainWhenDamaged) {
   EXPECT_EQ(kept.get("key", make), "value 4");
   std::filesystem::copy_file(kept.path_of("another key"), path, std::filesystem::copy_options::overwrite_existing);
   EXPECT_EQ(kept.get("key", make), "value 5");  // what is there belongs to another key
+  std::filesystem::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_FALSE(kept.find("key"));  // nobody writes there: to open it would wait for ever
 }
 
 TEST(KeptResults, WithoutAFolderAreMadeEveryTime) {

@@ -6,6 +6,7 @@
 #include "experiments/convex_culling/method_rows.h"
 #include "experiments/convex_culling/truth_table.h"
 #include "experiments/error.h"
+#include "experiments/file_bytes.h"
 #include "experiments/report/found_results.h"
 #include "experiments/report/gnuplot.h"
 #include "experiments/report/html.h"
@@ -131,6 +132,34 @@ TEST(TruthTable, TellsWhatCullingAddsToThePicturesOwnError) {
   EXPECT_THAT(truth_table(summary), HasSubstr("<td>convex culling, safe</td><td class=\"n\">0.03100</td>"
                                               "<td class=\"n\">0.00100</td>"));
   EXPECT_EQ(truth_table({}), "");
+}
+
+TEST(Report, OfDamagedResultsIsRefusedInOneLine) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_lodestone({"run", "image_reuse", "--set", "scene=houses24", "--set", "frames=1", "--set", "passes=0",
+                           "--out", folder.path()})
+                .status,
+            0);
+  const auto error_with = [&](const std::string& file, std::string (*damaged)(std::string)) {
+    const std::string whole = *file_bytes(folder.path(file));
+    folder.write(file, damaged(whole));
+    const auto run = run_lodestone({"report", folder.path(), "--out", folder.path("page.html")});
+    folder.write(file, whole);
+    EXPECT_EQ(run.status, 3) << file;
+    EXPECT_FALSE(std::filesystem::exists(folder.path("page.html")));
+    return run.err;
+  };
+  const auto no_line = [](std::string) { return std::string(); };
+  const auto half = [](std::string text) { return text.substr(0, text.size() / 2); };
+  const auto first_lines = [](std::string text) { return text.substr(0, text.find('\n', text.find('\n') + 1) + 1); };
+  EXPECT_THAT(error_with("image_reuse/results.csv", no_line), HasSubstr("results.csv: expected"));
+  EXPECT_THAT(error_with("image_reuse/results.csv", first_lines), HasSubstr("rows, as the summary says, found 1"));
+  EXPECT_THAT(error_with("image_reuse/summary.json", half),
+              HasSubstr("expected the summary that lodestone run writes"));
+  const auto pictures = std::filesystem::directory_iterator(folder.path("image_reuse/images"));
+  const std::string picture = "image_reuse/images/" + pictures->path().filename().string();
+  EXPECT_THAT(error_with(picture, half), HasSubstr("expected a whole PNG file"));
+  EXPECT_EQ(run_lodestone({"report", folder.path(), "--out", folder.path("page.html")}).status, 0);
 }
 
 TEST(Report, OfNothingIsRefusedInOneLine) {
